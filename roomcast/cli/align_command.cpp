@@ -52,7 +52,7 @@ Result<alignment::AlignmentReport> align_rig(const AlignOptions& options, Status
   std::vector<SharedView> views;
   std::vector<alignment::SensorReport> unusable;
   for (const RecordedBundle& recorded : *bundles) {
-    line.show("looking at " + recorded.name);
+    line.show("finding features of " + recorded.name);
     auto view = view_of(recorded);
     view ? views.push_back(*view)
          : unusable.push_back(unusable_sensor(recorded.name, view.error()));
@@ -70,7 +70,7 @@ alignment::PairReport align_pair(const ListedPair& pair, const std::string& meth
   alignment::PairReport refused;
   refused.a = pair.a;
   refused.b = pair.b;
-  refused.reason = pair.a + " is the same frame twice";
+  refused.reason = pair.a + " is listed as a pair with itself; name two frames";
   if (pair.a == pair.b) return refused;
   std::vector<SharedView> views;
   for (const std::string& name : {pair.a, pair.b}) {
@@ -132,10 +132,10 @@ Status run_align(const AlignOptions& options) {
 void add_align_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<AlignOptions>();
   CLI::App* command = app.add_subcommand(
-      "align", "Place the sensors of a recording in one world, and say how sure that is");
+      "align", "Align the sensors of a recording and report their expected errors");
   command->add_option("recording", options->recording, "Folder of a rig or of a TUM recording")
       ->required();
-  command->add_option("--method", options->method, "auto, or homography (to compare with)")
+  command->add_option("--method", options->method, "auto, or homography (the baseline)")
       ->check(CLI::IsMember({"auto", "homography"}))
       ->capture_default_str();
   command->add_option(
@@ -143,9 +143,9 @@ void add_align_command(CLI::App& app, Command& chosen) {
       "Align these pairs of frames of a TUM recording instead (alignment_pairs.json)");
   command
       ->add_flag("--write", options->write,
-                 "Write the poses found into the rig's rig.json: null where a sensor stays apart")
+                 "Write the poses into the rig's rig.json; null for refused sensors")
       ->excludes("--pairs");
-  command->add_flag("--json", options->json, "For scripts");
+  command->add_flag("--json", options->json, "Print JSON");
   command->footer("Example:\n  roomcast align recordings/lab --json");
   command->callback(
       [options, &chosen] { chosen = [options] { return finish("align", run_align(*options)); }; });

@@ -39,7 +39,7 @@ alignment::AlignmentReport report() {
   return report;
 }
 
-TEST(AlignmentText, scripts_get_all_that_is_known_and_null_for_what_is_not) {
+TEST(AlignmentText, json_has_all_known_values_and_null_for_unknown_ones) {
   const auto json = nlohmann::json::parse(alignment_json(report()));
   const auto& sensor = json["sensors"][0];
   for (const char* key :
@@ -62,7 +62,7 @@ TEST(AlignmentText, scripts_get_all_that_is_known_and_null_for_what_is_not) {
   EXPECT_TRUE(json["pairs"][1]["expected_error_mm"].is_null());
 }
 
-TEST(AlignmentText, people_read_no_figures_of_what_was_refused) {
+TEST(AlignmentText, the_table_has_no_figures_for_refused_pairs) {
   const std::string table = alignment_table(report());
   EXPECT_NE(table.find("3.2 mm"), std::string::npos) << table;
   EXPECT_NE(table.find("4.5 mm"), std::string::npos) << table;

@@ -27,23 +27,28 @@ void add_abuse_bench(CLI::App& bench, Command& chosen) {
   auto json = std::make_shared<bool>(false);
   auto seconds = std::make_shared<double>(std::chrono::duration<double>(options->duration).count());
   CLI::App* command = bench.add_subcommand(
-      "abuse", "Half-open, garbage and slow connections, bad tokens: what others notice");
-  command->add_option("--viewers", options->viewers, "In the room")
+      "abuse", "Effect of half-open, invalid and slow connections and bad tokens on other clients");
+  command->add_option("--viewers", options->viewers, "Viewers in the room")
       ->check(CLI::Range(1, 200))
       ->capture_default_str();
-  command->add_option("--rounds", options->rounds, "Peace and attack, in turns")
+  command
+      ->add_option("--rounds", options->rounds, "Rounds; each measures without and with an attack")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  command->add_option("--connections", options->connections, "Of an attacker at once")
+  command
+      ->add_option("--connections", options->connections,
+                   "Simultaneous connections of one attacker")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
-  command->add_option("--bad-tokens", options->bad_tokens, "Shown over all rounds")
+  command
+      ->add_option("--bad-tokens", options->bad_tokens,
+                   "Invalid tokens sent in all rounds together")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
-  command->add_option("--seconds", *seconds, "A measurement")
+  command->add_option("--seconds", *seconds, "Seconds per measurement")
       ->check(CLI::Range(0.2, 60.0))
       ->capture_default_str();
-  command->add_flag("--json", *json, "For scripts");
+  command->add_flag("--json", *json, "Print JSON");
   command->footer("Example:\n  roomcast bench abuse --rounds 5");
   command->callback([options, seconds, json, &chosen] {
     options->duration =

@@ -159,32 +159,33 @@ void add_align_bench(CLI::App& bench, Command& chosen) {
   command->add_option("recordings", values->folders,
                       "Rigs with poses, or TUM recordings with alignment_pairs.json");
   command
-      ->add_option(
-          "--suite", values->suite_name,
-          "fresh: simulated rooms of every scene, half of the pairs without an answer; "
-          "corners: how exactly four sensors in the corners of a room are placed; "
-          "join: the cost of a sensor joining four others; moved: sensors that are pushed, "
-          "or not, with people about; walker: opposite "
-          "sensors placed by a walking person; passers-by: by people at their usual activities; "
-          "board: by a printed board")
+      ->add_option("--suite", values->suite_name,
+                   "fresh: simulated rooms of every scene, half of the pairs without overlap; "
+                   "corners: errors of four sensors in the corners of a room; join: cost of a "
+                   "fifth sensor that joins four; moved: detection of moved sensors among people; "
+                   "walker: opposite sensors placed by one walking person; passers-by: by people "
+                   "in their usual activities; board: by a printed board")
       ->check(
           CLI::IsMember({"fresh", "corners", "join", "moved", "walker", "passers-by", "board"}));
-  command->add_option("--pairs", values->suite.pairs, "How many pairs of the suite")
+  command->add_option("--pairs", values->suite.pairs, "Number of pairs in the suite")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
   command
       ->add_option("--seed", values->suite.seed,
-                   "Of the suite's first room; run it in pieces with other seeds")
+                   "Seed of the suite's first room; other seeds give other rooms")
       ->capture_default_str();
-  command->add_option("--minutes", values->moved.minutes, "moved: watched in each scene")
+  command
+      ->add_option("--minutes", values->moved.minutes,
+                   "moved: minutes of observation in each scene")
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
-  command->add_option("--scene", values->scenes, "fresh, moved: these only");
+  command->add_option("--scene", values->scenes, "fresh, moved: only these scenes");
   command
-      ->add_option("--rooms", values->rooms, "corners, join, walker, passers-by, board: how many")
+      ->add_option("--rooms", values->rooms,
+                   "corners, join, walker, passers-by, board: number of rooms")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
-  command->add_flag("--json", values->json, "For scripts");
+  command->add_flag("--json", values->json, "Print JSON");
   command->footer(
       "Example:\n  roomcast bench align recordings/lab recordings/kitchen --json\n"
       "  roomcast bench align --suite fresh --pairs 200 --seed 5000");

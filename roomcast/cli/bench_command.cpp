@@ -37,14 +37,14 @@ Status run_codec(const CodecCommandOptions& options) {
 void add_codec_bench(CLI::App& bench, Command& chosen) {
   auto options = std::make_shared<CodecCommandOptions>();
   CLI::App* command = bench.add_subcommand(
-      "codec", "Bytes, CPU time and errors of every codec on one sensor's frames, peers beside");
+      "codec", "Bytes, CPU time and errors of every codec and of its peers on one sensor's frames");
   command
       ->add_option("input", options->input,
                    "rig:DIR#s0, tum:DIR, a folder (of a rig the first sensor), sim[:scene][#n]")
       ->capture_default_str();
   command->add_option("--codec,--mode", options->bench.only,
                       "Only this codec or mode, for example roomcast or lossless");
-  command->add_option("--frames", options->bench.most_frames, "At most so many")
+  command->add_option("--frames", options->bench.most_frames, "Maximum number of frames")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
   command
@@ -60,13 +60,16 @@ void add_codec_bench(CLI::App& bench, Command& chosen) {
                    "Bit rate of colour where there is rate control, kbit/s")
       ->check(CLI::Range(50, 20'000))
       ->capture_default_str();
-  command->add_option("--fps", options->simulator.sim_fps, "Of a simulated sensor")
+  command
+      ->add_option("--fps", options->simulator.sim_fps, "Frames per second of a simulated sensor")
       ->check(CLI::Range(1.0, 60.0))
       ->capture_default_str();
-  command->add_option("--speed", options->simulator.sim_speed, "Of a simulated room's motion")
+  command
+      ->add_option("--speed", options->simulator.sim_speed,
+                   "Speed of motion in a simulated room: 1 is real time")
       ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
-  command->add_flag("--json", options->json, "For scripts");
+  command->add_flag("--json", options->json, "Print JSON");
   command->footer("Example:\n  roomcast bench codec rig:recordings/lab#s0 --json");
   command->callback([options, &chosen] {
     chosen = [options] { return finish("bench codec", run_codec(*options)); };
@@ -91,10 +94,10 @@ void add_register_bench(CLI::App& bench, Command& chosen) {
   auto source = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
   CLI::App* command = bench.add_subcommand(
-      "register", "Mapping colour into the depth grid: frames a second of one core");
+      "register", "Registration of colour to depth: frames per second on one core");
   command->add_option("source", *source,
                       "Measure this recording too: rig:DIR#s0, tum:DIR (Kinect v2 sizes)");
-  command->add_flag("--json", *json, "For scripts");
+  command->add_flag("--json", *json, "Print JSON");
   command->footer("Example:\n  roomcast bench register rig:recordings/lab#s0 --json");
   command->callback([source, json, &chosen] {
     chosen = [source, json] { return finish("bench register", run_register(*source, *json)); };

@@ -27,27 +27,26 @@ void add_fanout_bench(CLI::App& bench, Command& chosen) {
   auto json = std::make_shared<bool>(false);
   auto seconds = std::make_shared<double>(std::chrono::duration<double>(options->duration).count());
   CLI::App* command = bench.add_subcommand(
-      "fanout", "One frame to many viewers: CPU time and delay of the hub, brokers beside it");
-  command->add_option("--viewers", options->viewers, "How many, at full speed")
+      "fanout", "One frame to many viewers: CPU time and delay of the hub and of message brokers");
+  command->add_option("--viewers", options->viewers, "Numbers of viewers at full speed")
       ->delimiter(',')
       ->check(CLI::Range(1, 900))
       ->capture_default_str();
-  command->add_option("--rounds", options->rounds, "Each server so often, in turns")
+  command->add_option("--rounds", options->rounds, "Measurements of each server, in turns")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  command->add_option("--load", options->loads, "max, room, stall")
+  command->add_option("--load", options->loads, "Loads: max, room, stall")
       ->delimiter(',')
       ->check(CLI::IsMember({"max", "room", "stall"}));
-  command->add_option("--only", options->only, "Servers whose name contains one of these")
+  command
+      ->add_option("--only", options->only, "Only servers with one of these texts in their names")
       ->delimiter(',');
   command
       ->add_option("--seconds", *seconds,
-                   "A measurement at full speed; room and stall take twice as long (a hub gives up "
-                   "viewers that "
-                   "say nothing for 15)")
+                   "Seconds per measurement at full speed; room and stall take twice as long")
       ->check(CLI::Range(0.1, 6.0))
       ->capture_default_str();
-  command->add_flag("--json", *json, "For scripts");
+  command->add_flag("--json", *json, "Print JSON");
   command->footer(
       "Example:\n  roomcast bench fanout --viewers 100,500 --rounds 5\n"
       "nats-server, redis-server and mosquitto are measured too where they are installed.");

@@ -25,15 +25,16 @@ void add_latency_bench(CLI::App& bench, Command& chosen) {
   auto options = std::make_shared<bench::LatencyBenchOptions>();
   auto seconds = std::make_shared<double>(10);
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = bench.add_subcommand(
-      "latency", "Capture to decoded, by stage; and over emulated bad networks (needs root)");
-  command->add_option("--case", options->cases, "room, internet, narrow")
+  CLI::App* command = bench.add_subcommand("latency",
+                                           "Latency from capture to decoded frame, by stage, also "
+                                           "over emulated bad networks (needs root)");
+  command->add_option("--case", options->cases, "Networks: room, internet, narrow")
       ->delimiter(',')
       ->check(CLI::IsMember({"room", "internet", "narrow"}));
-  command->add_option("--seconds", *seconds, "Of each case")
+  command->add_option("--seconds", *seconds, "Seconds per network")
       ->check(CLI::Range(1.0, 600.0))
       ->capture_default_str();
-  command->add_flag("--json", *json, "For scripts");
+  command->add_flag("--json", *json, "Print JSON");
   command->footer("Example:\n  roomcast bench latency --case internet,narrow --seconds 30");
   command->callback([options, seconds, json, &chosen] {
     options->duration = std::chrono::milliseconds(static_cast<std::int64_t>(*seconds * 1000));

@@ -27,25 +27,27 @@ void add_render_bench(CLI::App& bench, Command& chosen) {
   auto options = std::make_shared<bench::RenderBenchOptions>();
   auto json = std::make_shared<bool>(false);
   CLI::App* command = bench.add_subcommand(
-      "render", "Pictures from where no sensor stood, beside the truth; and what drawing costs");
+      "render", "Errors of free-viewpoint pictures against the truth, and the cost of drawing");
   command->add_option("rig", options->rig, "A rig with true views (simulate --views writes them)")
       ->required();
   add_modes_option(*command, "--mode", options->modes);
   command
       ->add_option("--color-scale", options->color_scale,
-                   "Colour pixels for each pixel of depth and direction, as of roomcast sensor")
+                   "Colour pixels per depth pixel in each direction, as in roomcast sensor")
       ->check(CLI::Range(1, 2));
   command->add_option("--aligned", options->aligned,
-                      "Draws with the poses of this report of `roomcast align RIG --json`");
-  command->add_option("--pose-error-mm", options->pose_error_mm, "Moves every sensor so far")
+                      "Use the poses of this report of `roomcast align RIG --json`");
+  command
+      ->add_option("--pose-error-mm", options->pose_error_mm, "Shift every sensor by this distance")
       ->check(CLI::Range(0.0, 1000.0));
-  command->add_option("--pose-error-deg", options->pose_error_deg, "Turns every sensor so much")
+  command
+      ->add_option("--pose-error-deg", options->pose_error_deg, "Turn every sensor by this angle")
       ->check(CLI::Range(0.0, 180.0));
-  command->add_option("--pose-seed", options->pose_seed, "Whereto");
-  command->add_option("--pictures", options->pictures, "Writes what was drawn into this folder");
+  command->add_option("--pose-seed", options->pose_seed, "Seed of these directions");
+  command->add_option("--pictures", options->pictures, "Write the pictures into this folder");
   command->add_flag("--stereo", options->stereo,
-                    "Also what two eyes drawn at once cost beside one drawn after the other");
-  command->add_flag("--json", *json, "For scripts");
+                    "Also compare drawing both eyes in one pass with one after the other");
+  command->add_flag("--json", *json, "Print JSON");
   command->footer(
       "Example:\n  roomcast simulate room --scene lab --sensors 3 --seconds 3 --views 4\n"
       "  roomcast bench render room --mode points,mesh,blend --pictures drawn");

@@ -36,19 +36,20 @@ Status write_board(const BoardOptions& options) {
 void add_board_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<BoardOptions>();
   CLI::App* command = app.add_subcommand(
-      "board", "A board to print: held where two sensors see it, it tells how they stand");
+      "board", "Make a board to print; held into the views of two sensors, it aligns them");
   command->add_option("out", options->file, "PDF file to write")->required();
-  command->add_option("--paper", options->paper, "a4, or a3: seen from further away")
+  command->add_option("--paper", options->paper, "a4, or a3 for larger distances")
       ->check(CLI::IsMember({"a4", "a3"}))
       ->capture_default_str();
   command->add_option("--tag", options->tag, "Number of the AprilTag (family 36h11)")
       ->check(CLI::Range(0, 586))
       ->capture_default_str();
   command->footer(
-      "Example:\n  roomcast board board.pdf --paper a3\n"
-      "Hold it still for two seconds at six places that both sensors see, well apart,\n"
-      "turned to the middle between them; and by its lower edge, since a hand before\n"
-      "the black square hides it.");
+      "Example:\n"
+      "  roomcast board board.pdf --paper a3\n"
+      "Hold the board by its lower edge, still for two seconds, at six places well apart\n"
+      "that both sensors see. Turn it to the middle between them, and keep the black\n"
+      "square uncovered.");
   command->callback([options, &chosen] {
     chosen = [options] { return finish("board", write_board(*options)); };
   });

@@ -61,11 +61,11 @@ Status print_board(const CalibrateOptions& options) {
 const char* words_of(ViewCollector::Verdict verdict) {
   switch (verdict) {
     case ViewCollector::Verdict::kNoBoard:
-      return "show the board";
+      return "hold the board into the view";
     case ViewCollector::Verdict::kMoving:
       return "hold it still";
     case ViewCollector::Verdict::kSeenBefore:
-      return "now elsewhere: nearer, further, tilted";
+      return "move the board: nearer, further, tilted";
     case ViewCollector::Verdict::kTaken:
       return "taken";
   }
@@ -98,7 +98,7 @@ Status import_lenses(const CalibrateOptions& options, SensorCalibration& start) 
     if (!same_size(*imported, *camera)) {
       return Error{
           ErrorCode::kInvalidArgument,
-          fmt::format("{} is about pictures of {}x{}, the camera gives {}x{}", file->string(),
+          fmt::format("{} is for pictures of {}x{}, but the camera gives {}x{}", file->string(),
                       imported->width, imported->height, camera->width, camera->height)};
     }
     *camera = *imported;
@@ -146,7 +146,8 @@ std::string text_of(const CalibrationReport& report) {
       report.depth.bias_sigma_mm);
   if (report.depth.translation_sigma_mm > kLooseShift_mm ||
       report.depth.bias_sigma_mm > kLooseBias_mm)
-    text += "that is loose: take more views, with the board tilted and at all distances\n";
+    text +=
+        "the uncertainty is large: take more views, with the board tilted and at all distances\n";
   return text;
 }
 
@@ -188,8 +189,9 @@ Status run_calibrate(const CalibrateOptions& options) {
   if (options.json) {
     fmt::print("{}\n", json_of(*report).dump(1));
   } else {
-    fmt::print("{}wrote {}/camera.json; corners.png and depth.png beside it show what is left\n",
-               text_of(*report), options.out);
+    fmt::print(
+        "{}wrote {}/camera.json; corners.png and depth.png beside it show the remaining errors\n",
+        text_of(*report), options.out);
   }
   return {};
 }
@@ -198,27 +200,29 @@ Status run_calibrate(const CalibrateOptions& options) {
 
 void add_calibrate_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<CalibrateOptions>();
-  CLI::App* command = app.add_subcommand(
-      "calibrate", "Find a camera's lens and what its depth is off by, with a printed board");
+  CLI::App* command =
+      app.add_subcommand("calibrate", "Calibrate a camera's lens and depth with a printed board");
   command->add_option("--source", options->source, "The camera, as for roomcast sensor");
-  command->add_option("--print", options->print, "Write the board as a PDF file, nothing else");
-  command->add_option("--paper", options->paper, "The board's: a3, or a4 for short distances")
+  command->add_option("--print", options->print, "Write the board as a PDF file and end");
+  command
+      ->add_option("--paper", options->paper,
+                   "Paper size of the board: a3, or a4 for short distances")
       ->check(CLI::IsMember({"a4", "a3"}))
       ->capture_default_str();
-  command
-      ->add_option("--square-mm", options->square_mm,
-                   "A square of the board, if measured otherwise")
+  command->add_option("--square-mm", options->square_mm, "Measured side of a square, if it differs")
       ->check(CLI::Range(5.0, 500.0));
-  command->add_option("--views", options->views, "How many to take")
+  command->add_option("--views", options->views, "Number of views to take")
       ->check(CLI::Range(6, 200))
       ->capture_default_str();
   command->add_option("--camera-info", options->color_info,
-                      "ROS's YAML file of the colour lens, to be kept as it is");
-  command->add_option("--depth-camera-info", options->depth_info, "The same of the depth lens");
-  command->add_flag("--keep-lens", options->keep_lens, "Believe the lens that the camera tells");
+                      "ROS YAML file of the colour lens, used unchanged");
+  command->add_option("--depth-camera-info", options->depth_info,
+                      "ROS YAML file of the depth lens, used unchanged");
+  command->add_flag("--keep-lens", options->keep_lens,
+                    "Keep the intrinsics that the camera reports");
   command->add_option("--out", options->out, "Folder for camera.json and the report")
       ->capture_default_str();
-  command->add_flag("--json", options->json, "For scripts");
+  command->add_flag("--json", options->json, "Print JSON");
   command->footer(
       "Example:\n  roomcast calibrate --print board.pdf\n"
       "  roomcast calibrate --source freenect:0 --out kinect\n"

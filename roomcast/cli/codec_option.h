@@ -19,22 +19,23 @@ inline void add_codec_options(CLI::App& command, sensor::CodecChoice& choice) {
       {"near-lossless", codec::DepthMode::kNearLossless},
       {"lossless", codec::DepthMode::kLossless}};
   choose_by_name(command.add_option("--codec", choice.depth_mode,
-                                    "Depth; live has the fewest bytes and not the noise"),
+                                    "Depth coding; live needs the fewest bytes and removes noise"),
                  modes)
       ->default_str("live");
   command
       .add_option("--bound-mm", choice.depth_bound_mm,
-                  "With --codec near-lossless: no reading is off by more millimetres")
+                  "With --codec near-lossless: maximum error of a reading in millimetres")
       ->check(CLI::Range(1, 63))
       ->capture_default_str();
   command
       .add_option("--layers", choice.layers,
-                  "Temporal layers: a slow network leaves out all but the lowest")
+                  "Temporal layers; on a slow network only the lowest is sent")
       ->check(CLI::Range(1, 3))
       ->capture_default_str();
   command
-      .add_option("--color-scale", choice.color_scale,
-                  "2 sends colour twice as fine as depth: sharper pictures, more work and bytes")
+      .add_option(
+          "--color-scale", choice.color_scale,
+          "2 sends colour at twice the resolution of depth: sharper, but more work and bytes")
       ->check(CLI::Range(1, 2))
       ->capture_default_str();
   command

@@ -26,10 +26,10 @@ void add_contact_sheet_command(CLI::App& app, Command& chosen) {
   auto folder = std::make_shared<std::string>();
   auto options = std::make_shared<simulator::ContactSheetOptions>();
   CLI::App* command =
-      app.add_subcommand("contact-sheet", "Draw every simulated room from its sensors");
-  command->add_option("folder", *folder, "Where <scene>.jpg are written")->required();
-  command->add_option("--seed", options->seed, "Which room of each kind")->capture_default_str();
-  command->add_option("--width", options->cell_width, "Of one sensor's view, in pixels")
+      app.add_subcommand("contact-sheet", "Draw every simulated room as its sensors see it");
+  command->add_option("folder", *folder, "Folder for the files <scene>.jpg")->required();
+  command->add_option("--seed", options->seed, "Seed of the rooms")->capture_default_str();
+  command->add_option("--width", options->cell_width, "Width of one sensor's view in pixels")
       ->check(CLI::Range(64, 1920))
       ->capture_default_str();
   command->footer("Example:\n  roomcast contact-sheet docs/images/scenes --seed 7");

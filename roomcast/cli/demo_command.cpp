@@ -147,7 +147,7 @@ Status watch_room(const Feeds& feeds, std::uint16_t port, double seconds,
              feeds.size(), placed, static_cast<double>(room->sets_received) / elapsed,
              static_cast<double>(room->bytes_received) / elapsed / 1e6);
   if (seen == feeds.size()) return {};
-  return Error{ErrorCode::kUnavailable, "not every sensor's picture arrived"};
+  return Error{ErrorCode::kUnavailable, "not every sensor sent a picture in time"};
 }
 
 Status run_demo(const DemoOptions& options) {
@@ -207,8 +207,8 @@ void add_demo_command(CLI::App& app, Command& chosen) {
   command->add_flag("--true-poses", options->true_poses,
                     "Take the poses of simulated sensors from the simulator instead of aligning");
   command->add_flag("--admin-link", options->admin_link,
-                    "Print an address whose reader may also put sensors in their place");
-  command->add_flag("--verbose", options->verbose, "Say who joins and leaves");
+                    "Print an address with an admin's token: its user may place sensors by hand");
+  command->add_flag("--verbose", options->verbose, "Log joins and leaves");
   command->footer("Example:\n  roomcast demo\n  roomcast demo --rig recordings/lab");
   command->callback(
       [options, &chosen] { chosen = [options] { return finish("demo", run_demo(*options)); }; });

@@ -82,7 +82,7 @@ void add_from_usb(const std::vector<source::UsbCamera>& usb, Kind& kind) {
     kind.devices.push_back({fmt::format("{}:{}", camera.kind, camera.serial),
                             camera.model,
                             camera.serial,
-                            problem.value_or("its library does not see it"),
+                            problem.value_or("its library does not find it; plug it in again"),
                             {}});
   }
 }
@@ -170,12 +170,12 @@ Status run_devices(bool as_json) {
 void add_devices_command(CLI::App& app, Command& chosen) {
   auto as_json = std::make_shared<bool>(false);
   CLI::App* command =
-      app.add_subcommand("devices", "List cameras, what they can do, and what is in their way");
-  command->add_flag("--json", *as_json, "For scripts");
+      app.add_subcommand("devices", "List cameras, their features, and problems in opening them");
+  command->add_flag("--json", *as_json, "Print JSON");
   command->footer(
-      "Example:\n  roomcast devices\n"
-      "What stands before \"ready\" or \"cannot be opened\" is what roomcast sensor --source "
-      "takes.");
+      "Example:\n"
+      "  roomcast devices\n"
+      "The name above \"ready\" or \"cannot be opened\" is the --source for roomcast sensor.");
   command->callback([as_json, &chosen] {
     chosen = [as_json] { return finish("devices", run_devices(*as_json)); };
   });

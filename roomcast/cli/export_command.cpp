@@ -57,6 +57,18 @@ Result<std::unique_ptr<recording::SetWriter>> make_writer(const ExportOptions& o
   return recording::make_film(options.out, reader.sensors(), *std::move(film));
 }
 
+/// What an interrupted export leaves behind, and how to go on.
+Error interrupted(std::string_view format) {
+  if (format == kFilm) return {ErrorCode::kClosed, "interrupted; the film ends here"};
+  if (format == "ply" || format == "pcd" || format == "gltf") {
+    return {ErrorCode::kClosed,
+            "interrupted; run the same command again to write the missing files"};
+  }
+  return {ErrorCode::kClosed,
+          "interrupted; the output ends here and cannot be continued: to export all of the "
+          "recording, run the command again with a new --out"};
+}
+
 /// Copies every n-th set from `reader` to `writer`, until the end, `to_s`, or a signal.
 Status copy_sets(const ExportOptions& options, recording::FrameSetReader& reader,
                  recording::SetWriter& writer, const std::stop_token& stop) {
@@ -69,7 +81,7 @@ Status copy_sets(const ExportOptions& options, recording::FrameSetReader& reader
     const auto more = reader.next(set);
     if (!more && ++damaged_places > 1000) return more.error();
     if (!more) {
-      fmt::print(stderr, "roomcast export: {}; going on behind it\n", more.error().message);
+      fmt::print(stderr, "roomcast export: {}; continuing after it\n", more.error().message);
       continue;
     }
     const double time_s = std::chrono::duration<double>(set.time).count();
@@ -79,10 +91,7 @@ Status copy_sets(const ExportOptions& options, recording::FrameSetReader& reader
     line.show(end_s > 0 ? fmt::format("{:.1f} of {:.1f} s", time_s, end_s)
                         : fmt::format("{:.1f} s", time_s));
   }
-  return Error{ErrorCode::kClosed,
-               options.format == kFilm
-                   ? "interrupted; the film ends there"
-                   : "interrupted; the same command goes on with what is missing"};
+  return interrupted(options.format);
 }
 
 void report(const ExportOptions& options, const recording::ExportTotals& totals) {
@@ -105,7 +114,8 @@ void report(const ExportOptions& options, const recording::ExportTotals& totals)
 
 Error not_to_be_exported() {
   return {ErrorCode::kUnavailable,
-          "the owner of this room did not let whoever recorded it export it"};
+          "this room did not let viewers export when it was recorded; ask its owner for that right "
+          "and record it again"};
 }
 
 Status run_export(ExportOptions options) {
@@ -124,7 +134,9 @@ Status run_export(ExportOptions options) {
   if (auto finished = (*writer)->finish(); status && !finished) status = finished;
   const recording::ExportTotals totals = (*writer)->totals();
   if (status && totals.sets + totals.kept == 0)
-    return Error{ErrorCode::kNotFound, "there is nothing to export in that part of the recording"};
+    return Error{
+        ErrorCode::kNotFound,
+        "that part of the recording has no frames; choose other values of --from and --to"};
   report(options, totals);
   return status;
 }
@@ -142,7 +154,7 @@ std::vector<std::string> format_names() {
 void add_export_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<ExportOptions>();
   CLI::App* command =
-      app.add_subcommand("export", "Turn a recording into files that other programs read");
+      app.add_subcommand("export", "Convert a recording into files for other programs");
   command->add_option("recording", options->recording, "FILE.mcap, or the folder of a rig")
       ->required();
   command->add_option("--format", options->format, "ply, pcd, gltf, rig, tum, foxglove or video")
@@ -152,7 +164,7 @@ void add_export_command(CLI::App& app, Command& chosen) {
   command->add_option("--from", options->from_s, "Begin at this second")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--to", options->to_s, "End at this second")->check(CLI::PositiveNumber);
-  command->add_option("--every", options->every, "Of the frame sets only every n-th")
+  command->add_option("--every", options->every, "Only every n-th frame set")
       ->check(CLI::Range(1, 1'000'000));
   command
       ->add_option("--crop", options->crop,
@@ -164,21 +176,20 @@ void add_export_command(CLI::App& app, Command& chosen) {
                    "Point clouds: one point for each cube of this size (metres)")
       ->check(CLI::Range(0.0, 1.0));
   command->add_flag("--keep-doubles", options->cloud.keep_doubles,
-                    "Point clouds: also points of surfaces that another sensor sees better");
+                    "Point clouds: keep duplicate points of surfaces that several sensors see");
   add_film_options(*command, options->film);
-  command->add_flag("--json", options->json, "For scripts");
+  command->add_flag("--json", options->json, "Print JSON");
   command->footer(
       "ply and pcd: set_NNNNNN files, the merged cloud of all placed sensors with colours and "
       "normals.\n"
-      "gltf: set_NNNNNN.glb, a textured mesh for each sensor. tum: a folder for each sensor, with "
-      "its\n"
-      "pose in groundtruth.txt; depth in millimetres. foxglove: room.mcap with point clouds, VP9 "
-      "video,\n"
-      "calibrations and transforms. video: film.mp4 by ffmpeg, or pictures where that is not "
-      "installed;\n"
-      "--path FILE is {\"keys\": [{\"time_s\": 0, \"at\": [x,y,z], \"look\": [x,y,z]}, ...]}. "
-      "Files of\n"
-      "sets that are there already are kept.\n"
+      "gltf: set_NNNNNN.glb, a textured mesh for each sensor. rig: a folder for each sensor.\n"
+      "tum: the same with each sensor's poses in groundtruth.txt; depth in millimetres.\n"
+      "foxglove: room.mcap with point clouds, VP9 video, calibrations and transforms.\n"
+      "video: film.mp4 by ffmpeg, or pictures where that is not installed; --path FILE is\n"
+      "{\"keys\": [{\"time_s\": 0, \"at\": [x,y,z], \"look\": [x,y,z]}, ...]}.\n"
+      "After an interruption the same command continues ply, pcd and gltf and keeps complete "
+      "files;\n"
+      "the other formats start again and need a new folder.\n"
       "Examples:\n"
       "  roomcast export lab.mcap --format ply --out clouds --every 30 --voxel 0.01\n"
       "  roomcast export lab.mcap --format video --out film --path walk.json");

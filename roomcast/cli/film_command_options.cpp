@@ -23,7 +23,7 @@ Result<recording::FilmOptions> FilmCommandOptions::film(double length_s) const {
 
 void add_film_options(CLI::App& command, FilmCommandOptions& options) {
   command.add_option("--path", options.path,
-                     "Video: the camera's way, a JSON file (default: a slow swing)");
+                     "Video: the camera's path, a JSON file (default: a slow swing)");
   command.add_option("--size", options.size, "Video: width,height")
       ->delimiter(',')
       ->expected(2)

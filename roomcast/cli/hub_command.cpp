@@ -125,7 +125,8 @@ void print_where(const HubPlan& plan, std::uint16_t port) {
   if (plan.config.tls_self_signed) {
     fmt::print(
         "roomcast hub: browsers will ask whether to trust its certificate; sensors and viewers "
-        "trust it with\n  --hub wss://{}#sha256={}\n",
+        "trust it by\n"
+        "  --hub wss://{}#sha256={}\n",
         where, net::to_string(plan.certificate->fingerprint()));
   }
   std::fflush(stdout);
@@ -192,7 +193,7 @@ Status run_hub(const HubFlags& flags) {
   if (!plan) return plan.error();
   if (flags.check) {
     if (auto status = check_plan(*plan); !status) return status;
-    fmt::print("roomcast hub: this configuration can be used; rooms:");
+    fmt::print("roomcast hub: this configuration is valid; rooms:");
     for (const auto& room : plan->options.rooms) fmt::print(" {}", room.name);
     fmt::print("\n");
     return {};
@@ -231,8 +232,8 @@ Status run_hub(const HubFlags& flags) {
   const auto watch = watch_certificate(*plan, **server, trust, reload, log);
   if (::geteuid() == 0) {
     log(LogLevel::kWarning,
-        "this hub runs as root, which it needs for nothing; run it as a user of its own, as its "
-        "systemd service does");
+        "this hub runs as root without need; run it as a user of its own, as its systemd service "
+        "does");
   }
   print_where(*plan, (*server)->port());
   (*server)->run(stop.token());
@@ -244,7 +245,7 @@ Status run_hub(const HubFlags& flags) {
 void add_hub_command(CLI::App& app, Command& chosen) {
   auto flags = std::make_shared<HubFlags>();
   CLI::App* command =
-      app.add_subcommand("hub", "Join sensors and viewers in rooms, and serve the page");
+      app.add_subcommand("hub", "Connect sensors and viewers in rooms, and serve the page");
   add_hub_flags(*command, *flags);
   command->footer(
       "Examples:\n"

@@ -8,73 +8,71 @@ namespace {
 
 void add_running_flags(CLI::App& command, HubFlags& flags) {
   command.add_option("--config", flags.config_file,
-                     "File, see docs/guides/hub.md; what is said here holds against it");
-  command.add_flag("--check", flags.check, "Only say whether this configuration can be used");
+                     "Configuration file, see docs/guides/hub.md; flags override it");
+  command.add_flag("--check", flags.check, "Check the configuration and end");
   command.add_option("--listen", flags.listen,
                      "ADDRESS:PORT; port 0 takes any free one (default: 127.0.0.1:7600)");
   command
       .add_option("--threads", flags.threads,
-                  "Among which connections are dealt out (default: one per core)")
+                  "Threads that share the connections (default: one per core)")
       ->check(CLI::Range(1, 64));
   command.add_option("--web", flags.web,
                      "Folder of the built page (default: the one beside this program)");
   command.add_option("--data", flags.data,
-                     "Folder for what the hub keeps (default: ~/.local/state/roomcast)");
-  command.add_option("--log", flags.log, "text or json, on stderr")
+                     "Folder of the hub's database and keys (default: ~/.local/state/roomcast)");
+  command.add_option("--log", flags.log, "Log format on stderr: text or json")
       ->check(CLI::IsMember({"text", "json"}));
-  command.add_flag("--verbose", flags.verbose, "Say who joins and leaves");
+  command.add_flag("--verbose", flags.verbose, "Log joins and leaves");
 }
 
 void add_encryption_flags(CLI::App& command, HubFlags& flags) {
-  command.add_option("--tls-cert", flags.tls_cert,
-                     "PEM file: the certificate, then those that sign it");
+  command.add_option("--tls-cert", flags.tls_cert, "PEM file: the certificate, then its issuers");
   command.add_option("--tls-key", flags.tls_key, "PEM file: its private key");
-  command.add_flag("--tls-self-signed", flags.self_signed,
-                   "Encrypt with a certificate that the hub makes for itself and keeps (beyond "
-                   "this machine the default)");
+  command.add_flag(
+      "--tls-self-signed", flags.self_signed,
+      "Encrypt with a self-signed certificate, made once and kept (default beyond this machine)");
   command.add_flag("--insecure", flags.insecure,
-                   "Listen beyond this machine although nothing is encrypted");
+                   "Allow listening beyond this machine without encryption");
 }
 
 void add_room_flags(CLI::App& command, HubFlags& flags) {
   command.add_option("--room", flags.room, "The only room's name (default: room)");
   command
       .add_option("--access", flags.access,
-                  "Who may come into rooms that say nothing else: anyone, token (default: anyone "
-                  "on this machine, from elsewhere who has a token)")
+                  "Who may join rooms without a rule of their own: anyone, token (default: anyone "
+                  "on this machine, from elsewhere clients with a token)")
       ->check(CLI::IsMember({"anyone", "token", "auto"}));
   command.add_flag("--no-align", flags.no_align,
-                   "Leave sensors where they say they are; work out nothing");
+                   "Do not align sensors; use only the poses that they supply");
   command.add_option("--recordings", flags.recordings,
-                     "Folder for rooms that admins record (default: recordings, in that of "
-                     "--data)");
+                     "Folder for recordings by admins (default: recordings, in that of --data)");
   command.add_flag("--record", flags.record, "Record every room from its first sensor on");
 }
 
 void add_other_hub_flags(CLI::App& command, HubFlags& flags) {
   command.add_option("--upstream", flags.upstream,
-                     "Serve on what the hub at this address has in the rooms of the same names; "
-                     "of several the one that answers first");
+                     "Relay the rooms of the same names from the hub at this address; of several, "
+                     "the one that answers first");
   command.add_option("--upstream-token-file", flags.upstream_token_file,
                      "File with a token of those hubs, for role hub");
-  command.add_option(
-      "--public-url", flags.public_url,
-      "How sensors, viewers and pages reach this hub: other hubs name it to theirs, to go "
-      "on at when they are gone");
+  command.add_option("--public-url", flags.public_url,
+                     "Address of this hub for sensors, viewers and pages; other hubs give it to "
+                     "their clients as an alternative");
 }
 
 void add_nats_flags(CLI::App& command, HubFlags& flags) {
   command
       .add_option("--nats", flags.nats,
                   "Share the rooms with all hubs at these NATS servers: nats://HOST:4222, "
-                  "tls://HOST:4222; the first that answers is taken")
+                  "tls://HOST:4222; the first that answers is used")
       ->delimiter(',');
   command.add_option("--nats-credentials", flags.nats_credentials,
-                     "File (.creds) by which NATS lets this hub in");
-  command.add_option("--nats-ca", flags.nats_ca,
-                     "PEM file: who signs the certificates of NATS (default: as in the system)");
+                     "File (.creds) with this hub's credentials for NATS");
+  command.add_option(
+      "--nats-ca", flags.nats_ca,
+      "PEM file: issuers of the NATS servers' certificates (default: those of the system)");
   command.add_option("--nats-cert", flags.nats_cert,
-                     "PEM file: this hub's certificate, where NATS asks for one");
+                     "PEM file: this hub's certificate, if NATS requires one");
   command.add_option("--nats-key", flags.nats_key, "PEM file: its private key");
 }
 

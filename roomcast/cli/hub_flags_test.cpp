@@ -24,13 +24,13 @@ hub::HubConfig file() {
   return config;
 }
 
-TEST(HubFlags, what_is_not_said_leaves_the_file_as_it_is) {
+TEST(HubFlags, omitted_flags_keep_the_settings_of_the_file) {
   const hub::HubConfig config = told("", file());
   EXPECT_EQ(config.listen, "0.0.0.0:1");
   EXPECT_THAT(config.nats_servers, ElementsAre("nats://a:1"));
 }
 
-TEST(HubFlags, what_is_said_holds_against_the_file) {
+TEST(HubFlags, flags_override_the_file) {
   const hub::HubConfig config =
       told("--listen 127.0.0.1:2 --nats nats://b:1,nats://c:1 --public-url wss://d:1", file());
   EXPECT_EQ(config.listen, "127.0.0.1:2");
@@ -44,7 +44,7 @@ TEST(HubFlags, a_hub_that_relays_leaves_placing_to_the_other) {
   EXPECT_FALSE(told("--upstream ws://a").align);
 }
 
-TEST(HubFlags, nonsense_is_refused) {
+TEST(HubFlags, invalid_values_are_refused) {
   EXPECT_THROW(told("--threads 0"), CLI::ParseError);
   EXPECT_THROW(told("--access nobody"), CLI::ParseError);
 }

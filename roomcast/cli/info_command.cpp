@@ -60,7 +60,7 @@ Result<std::vector<std::string>> specs_of(const std::string& recording) {
     return std::vector{"tum:" + recording};
   if (!std::filesystem::exists(folder / "rig.json", ignored)) {
     return Error{ErrorCode::kNotFound,
-                 recording + " is no recording: it has neither rig.json nor depth.txt"};
+                 recording + " is not a recording: it has neither rig.json nor depth.txt"};
   }
   auto names = recording::rig_sensor_names(recording);
   if (!names) return names.error();
@@ -140,7 +140,7 @@ void warn_of_damage(const std::string& recording) {
   if (!std::filesystem::is_regular_file(recording, ignored)) return;
   const auto file = recording::RoomRecording::open(recording);
   if (file && file->damage())
-    fmt::print(stderr, "roomcast info: {}; what comes before is there\n", *file->damage());
+    fmt::print(stderr, "roomcast info: {}; everything before it was read\n", *file->damage());
 }
 
 Status run_info(const InfoOptions& options) {
@@ -169,15 +169,14 @@ Status run_info(const InfoOptions& options) {
 
 void add_info_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<InfoOptions>();
-  CLI::App* command =
-      app.add_subcommand("info", "Read a recording from end to end and say what is in it");
+  CLI::App* command = app.add_subcommand("info", "Read a whole recording and describe it");
   command
       ->add_option("recording", options->recording,
                    "FILE.mcap, or the folder of a rig or of a TUM recording")
       ->required();
-  command->add_flag("--json", options->json, "For scripts; with a CRC-32 of every depth picture");
+  command->add_flag("--json", options->json, "Print JSON, with a CRC-32 of every depth picture");
   command->add_option("--thumbnails", options->thumbnails,
-                      "Write OUT.png: what each sensor saw, from the beginning to the end");
+                      "Write OUT.png: pictures of each sensor from the whole recording");
   command->footer("Example:\n  roomcast info lab.mcap --thumbnails lab.png");
   command->callback(
       [options, &chosen] { chosen = [options] { return finish("info", run_info(*options)); }; });

@@ -7,7 +7,7 @@
 namespace roomcast::cli {
 namespace {
 
-TEST(JsonLog, a_line_is_one_object_whatever_is_said) {
+TEST(JsonLog, every_line_is_one_object) {
   const std::string line =
       json_log_line("hub", LogLevel::kWarning, "a \"name\"\nand \xff", {}, 1'767'323'045'678);
   EXPECT_EQ(line.find('\n'), std::string::npos);
@@ -17,7 +17,7 @@ TEST(JsonLog, a_line_is_one_object_whatever_is_said) {
   EXPECT_EQ(json["program"], "hub");
 }
 
-TEST(JsonLog, what_a_line_is_about_has_keys_of_its_own) {
+TEST(JsonLog, fields_are_keys_and_replace_no_other_key) {
   const LogField fields[] = {{"room", "lab"}, {"token", ""}, {"level", "none"}};
   const auto json = nlohmann::json::parse(json_log_line("hub", LogLevel::kInfo, "", fields, 0));
   EXPECT_EQ(json["room"], "lab");

@@ -57,8 +57,7 @@ Status report_distance(const MeasureOptions& options,
   report["from"] = json_of(measured->from);
   report["to"] = json_of(measured->to);
   if (!options.json) {
-    fmt::print("{:.3f} m, give or take {:.0f} mm\n", measured->distance_m,
-               1000 * measured->expected_error_m);
+    fmt::print("{:.3f} m ± {:.0f} mm\n", measured->distance_m, 1000 * measured->expected_error_m);
   }
   return {};
 }
@@ -84,8 +83,7 @@ Status report_plan(const MeasureOptions& options, const std::vector<recording::S
 Status run_measure(const MeasureOptions& options) {
   const bool distance = !options.from.empty() && !options.to.empty();
   if (!distance && options.floor_plan.empty()) {
-    return Error{ErrorCode::kInvalidArgument,
-                 "say what to measure: --from and --to, or --floor-plan"};
+    return Error{ErrorCode::kInvalidArgument, "give --from and --to, or --floor-plan"};
   }
   const auto room = read_room(options);
   if (!room) return room.error();
@@ -109,14 +107,14 @@ void add_measure_command(CLI::App& app, Command& chosen) {
   command->add_option("recording", options->recording, "FILE.mcap, or the folder of a rig")
       ->required();
   command->add_option("--from", options->from,
-                      "A place: SENSOR:x,y (a pixel of its depth) or x,y,z (metres)");
-  command->add_option("--to", options->to, "The other place");
-  command->add_option("--floor-plan", options->floor_plan, "Write the room from above, OUT.svg");
-  command->add_option("--at", options->at_s, "What the room was like from this second on")
+                      "First place: SENSOR:x,y (a pixel of its depth) or x,y,z (metres)");
+  command->add_option("--to", options->to, "Second place");
+  command->add_option("--floor-plan", options->floor_plan, "Write the floor plan, OUT.svg");
+  command->add_option("--at", options->at_s, "Measure from this second on")
       ->check(CLI::NonNegativeNumber);
-  command->add_flag("--json", options->json, "For scripts");
+  command->add_flag("--json", options->json, "Print JSON");
   command->footer(
-      "Measures in the median of many frames: who walks through does not matter.\n"
+      "The median of many frames is measured, without people who walk through.\n"
       "Example:\n  roomcast measure lab.mcap --from s0:100,200 --to s0:400,210\n"
       "  roomcast measure lab.mcap --floor-plan lab.svg");
   command->callback([options, &chosen] {

@@ -33,7 +33,7 @@ Status run_nudge(NudgeCommand command) {
   command.options.turn_rad = command.turn_deg * std::numbers::pi / 180;
   command.options.tilt_rad = command.tilt_deg * std::numbers::pi / 180;
   StatusLine line;
-  line.show("the aligner looks whether it fits");
+  line.show("the aligner checks the pose");
   const auto answer = client::nudge_sensor(command.options);
   if (!answer) return answer.error();
   if (command.json) {
@@ -45,7 +45,7 @@ Status run_nudge(NudgeCommand command) {
     return {};
   }
   const Eigen::Vector3d& at = answer->world_from_depth.translation_m;
-  fmt::print("{} stands at {:.3f}, {:.3f}, {:.3f} m; expected error {:.0f} mm\n",
+  fmt::print("{} is at {:.3f}, {:.3f}, {:.3f} m; expected error {:.0f} mm\n",
              command.options.sensor, at.x(), at.y(), at.z(), answer->expected_error_mm);
   return {};
 }
@@ -55,7 +55,7 @@ Status run_nudge(NudgeCommand command) {
 void add_nudge_command(CLI::App& app, Command& chosen) {
   auto values = std::make_shared<NudgeCommand>();
   CLI::App* command =
-      app.add_subcommand("nudge", "Put a sensor about where it stands; the aligner does the rest");
+      app.add_subcommand("nudge", "Propose a pose for a sensor; the aligner refines it");
   command->add_option("sensor", values->options.sensor, "Its name in the room")->required();
   command->add_option("--hub", values->options.hub_url, "ws://HOST:PORT")->required();
   add_token_options(*command, values->token);
@@ -64,8 +64,8 @@ void add_nudge_command(CLI::App& app, Command& chosen) {
       ->expected(3);
   command->add_option("--turn", values->turn_deg,
                       "Degrees about the vertical, counter-clockwise seen from above");
-  command->add_option("--tilt", values->tilt_deg, "Degrees upwards, where it stands");
-  command->add_flag("--json", values->json, "For scripts");
+  command->add_option("--tilt", values->tilt_deg, "Degrees upwards, in place");
+  command->add_flag("--json", values->json, "Print JSON");
   command->footer(
       "Example:\n  roomcast nudge s2 --hub ws://127.0.0.1:7600 --token TOKEN --move 0.4 0 -0.2 "
       "--turn 15");

@@ -38,7 +38,8 @@ Result<ListedPair> read_pair(const nlohmann::json& json) {
   ListedPair pair{*a, *b, std::nullopt, std::nullopt};
   if (json.contains("T_b_from_a")) {
     const auto transform = transform_from_row_major(numbers_of(json["T_b_from_a"]));
-    if (!transform) return Error{ErrorCode::kMalformed, "has a T_b_from_a that is no transform"};
+    if (!transform)
+      return Error{ErrorCode::kMalformed, "has a T_b_from_a that is not a rigid transform"};
     pair.b_from_a = *transform;
   }
   if (json.contains("overlap") && json["overlap"].is_number()) {

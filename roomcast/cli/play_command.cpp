@@ -83,7 +83,7 @@ Status run_play(PlayOptions options) {
     return Error{ErrorCode::kNotFound, options.file + " has no frame of any sensor"};
   const LogSink log = stderr_log("play", options.verbose);
   if (recording->damage()) {
-    log(LogLevel::kWarning, *recording->damage() + "; what comes before is played");
+    log(LogLevel::kWarning, *recording->damage() + "; everything before it was played");
   }
   std::optional<OwnHub> own_hub;
   if (options.player.hub_url.empty()) {
@@ -119,7 +119,7 @@ Status run_play(PlayOptions options) {
 
 void add_play_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<PlayOptions>();
-  CLI::App* command = app.add_subcommand("play", "Make a recording a room again");
+  CLI::App* command = app.add_subcommand("play", "Play a recording as a room");
   command->add_option("file", options->file, "FILE.mcap of roomcast record")->required();
   command->add_option("--hub", options->player.hub_url,
                       "Join this hub as the recorded sensors (default: a hub of its own)");
@@ -127,20 +127,23 @@ void add_play_command(CLI::App& app, Command& chosen) {
   add_token_options(*command, options->token);
   command->add_option("--from", options->player.from_s, "Begin at this second")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--speed", options->player.speed, "2: twice as fast; 0.1 to 10")
+  command->add_option("--speed", options->player.speed, "Speed, 0.1 to 10; 2 is twice as fast")
       ->capture_default_str();
   command->add_flag("--loop", options->player.loop, "Start again at the end");
-  command->add_option("--port", options->port, "Of its own hub; 0 takes any free one")
+  command->add_option("--port", options->port, "Port of its own hub; 0 takes any free one")
       ->check(CLI::Range(0, 65'535))
       ->capture_default_str();
   command->add_option("--web", options->web,
                       "Folder of the built page (default: the one beside this program)");
-  command->add_flag("--json", options->json, "For scripts: what was sent, at the end");
-  command->add_flag("--verbose", options->verbose, "Say who joins and leaves");
+  command->add_flag("--json", options->json,
+                    "Print JSON at the end: the numbers of frames and bytes sent");
+  command->add_flag("--verbose", options->verbose, "Log joins and leaves");
   command->footer(
-      "Frames are sent as they were recorded, bit for bit. Who joins sees a sensor from its next\n"
-      "key frame on. As a source that is encoded anew: roomcast sensor --source mcap:FILE#s0.\n"
-      "Example:\n  roomcast play lab.mcap --loop");
+      "Frames are sent as they were recorded, bit for bit. A new viewer sees a sensor from its "
+      "next\n"
+      "key frame on. To encode them anew: roomcast sensor --source mcap:FILE#s0.\n"
+      "Example:\n"
+      "  roomcast play lab.mcap --loop");
   command->callback(
       [options, &chosen] { chosen = [options] { return finish("play", run_play(*options)); }; });
 }

@@ -23,7 +23,7 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
 
 int run_program(int argc, char** argv, std::span<const AddCommand> commands) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed socket or pipe is an error code to us, not an end
-  CLI::App app("roomcast: be in a room that is somewhere else.", "roomcast");
+  CLI::App app("roomcast: walk around live in a remote room.", "roomcast");
   app.set_version_flag("--version", ROOMCAST_VERSION);
   app.require_subcommand(1);
   app.footer("Example: roomcast demo");

@@ -16,7 +16,7 @@ TEST(QrCode, a_link_becomes_a_square_of_half_characters) {
   EXPECT_NE(drawn->find("█"), std::string::npos);
 }
 
-TEST(QrCode, what_no_code_holds_is_refused) {
+TEST(QrCode, text_too_long_for_a_code_is_refused) {
   EXPECT_EQ(qr_code_for_terminal(std::string(5000, 'x')).error().code, ErrorCode::kTooLarge);
 }
 

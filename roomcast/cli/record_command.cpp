@@ -45,7 +45,8 @@ Status make_folder(const RecordOptions& options) {
   if (options.rooms.size() < 2) return {};
   for (const auto& room : options.rooms) {
     if (room.empty() || room[0] == '.' || room.find('/') != std::string::npos)
-      return Error{ErrorCode::kInvalidArgument, "\"" + room + "\" is no name for a file"};
+      return Error{ErrorCode::kInvalidArgument,
+                   "\"" + room + "\" cannot be a file's name; give the rooms other names"};
   }
   std::error_code error;
   std::filesystem::create_directories(options.out, error);
@@ -162,24 +163,24 @@ Status run_record(const RecordOptions& options) {
 void add_record_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<RecordOptions>();
   CLI::App* command =
-      app.add_subcommand("record", "Keep a room in a file: what the hub sends, the same bytes");
-  command->add_option("out", options->out, "File to make, OUT.mcap; of several rooms a folder")
+      app.add_subcommand("record", "Record a room: the frames of the hub, unchanged");
+  command->add_option("out", options->out, "New file OUT.mcap; a folder for several rooms")
       ->required();
   command
       ->add_option("--hub", options->hub_url,
-                   "ws://HOST:PORT; of several, with commas, the next is taken when one is gone")
+                   "ws://HOST:PORT, or several with commas; when one is lost, the next is used")
       ->required();
   command->add_option("--room", options->rooms,
-                      "The room (default: the hub's only one); several are recorded at once");
+                      "The room (default: the hub's only one); may be given several times");
   add_token_options(*command, options->token);
   command->add_flag("--bundles", options->bundles,
-                    "What sensors can be placed by is kept, too; takes an admin's token");
+                    "Record calibration bundles, too; needs an admin's token");
   command->add_option("--seconds", options->seconds, "Stop after this time (default: Ctrl-C)")
       ->check(CLI::NonNegativeNumber);
-  command->add_flag("--json", options->json, "For scripts; with the processor time it took");
-  command->add_flag("--verbose", options->verbose, "Say what the connection does");
+  command->add_flag("--json", options->json, "Print JSON, with the processor time used");
+  command->add_flag("--verbose", options->verbose, "Log the connection's state");
   command->footer(
-      "The file is a standard MCAP file; docs/spec/recording.md says what is in it.\n"
+      "The file is a standard MCAP file; docs/spec/recording.md describes it.\n"
       "Example:\n  roomcast record lab.mcap --hub ws://127.0.0.1:7600 --seconds 60");
   command->callback([options, &chosen] {
     chosen = [options] { return finish("record", run_record(*options)); };

@@ -46,7 +46,7 @@ TEST(RecordedAlignment, places_three_sensors_on_a_floor_that_repeats) {
 
 /// Easier and harder pairs from a hand-held Kinect. The reference poses themselves are accurate to
 /// a few centimetres.
-TEST(RecordedAlignment, finds_how_frames_of_a_real_kinect_stand_to_each_other) {
+TEST(RecordedAlignment, finds_the_relative_poses_of_a_real_kinects_frames) {
   if (!is_at_hand("redkitchen_moving"))
     GTEST_SKIP() << "no recordings at " << recording::shared_data()
                  << "; set ROOMCAST_DATA to test with them";

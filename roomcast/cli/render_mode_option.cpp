@@ -22,8 +22,9 @@ void add_mode_option(CLI::App& command, const std::string& name, render::RenderM
 
 void add_modes_option(CLI::App& command, const std::string& name,
                       std::vector<render::RenderMode>& modes) {
-  choose_by_name(command.add_option(name, modes, "How surfaces are drawn; all")->delimiter(','),
-                 modes_by_name());
+  choose_by_name(
+      command.add_option(name, modes, "Ways to draw surfaces (default: all)")->delimiter(','),
+      modes_by_name());
 }
 
 }  // namespace roomcast::cli

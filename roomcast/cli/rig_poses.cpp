@@ -13,7 +13,7 @@ Status write_rig_poses(const std::filesystem::path& rig, const alignment::Alignm
                                [](const alignment::SensorReport& sensor) { return sensor.placed; });
   if (!any) {
     return Error{ErrorCode::kUnavailable,
-                 "no sensor could be placed, so the poses in rig.json stay as they are"};
+                 "no sensor could be placed; the poses in rig.json are unchanged"};
   }
   auto description = recording::read_rig_json(rig / "rig.json");
   if (!description) return description.error();

@@ -49,7 +49,7 @@ TEST(RigPoses, replace_those_in_the_file_and_nothing_else) {
   EXPECT_EQ(rig->fps, 15);
 }
 
-TEST(RigPoses, stay_when_nobody_was_placed) {
+TEST(RigPoses, stay_when_no_sensor_was_placed) {
   const TemporaryFolder folder;
   write_rig(folder.path());
   alignment::AlignmentReport report = first_placed();

@@ -81,18 +81,18 @@ void add_sensor_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<SensorCommandOptions>();
   CLI::App* command = app.add_subcommand("sensor", "Send one sensor's depth and colour to a hub");
   command
-      ->add_option(
-          "--source", options->source,
-          "sim[:scene][#n], rig:DIR#s0, tum:DIR, or a camera: freenect:0, openni2:[FILE.oni], "
-          "realsense:, freenect2:, k4a: (roomcast devices lists them)")
+      ->add_option("--source", options->source,
+                   "sim[:scene][#n], rig:DIR#s0, tum:DIR, mcap:FILE#s0, or a camera: freenect:0, "
+                   "openni2:[FILE.oni], realsense:, freenect2:, k4a: (roomcast devices lists them)")
       ->required();
   command
       ->add_option("--hub", options->feed.hub_url,
-                   "ws://HOST:PORT; of several, with commas, the next is taken when one is gone")
+                   "ws://HOST:PORT, or several with commas; when one is lost, the next is used")
       ->required();
   command->add_option("--room", options->feed.room, "The room (default: the hub's only one)");
-  command->add_option("--name", options->feed.name,
-                      "Its name in the room (default: the source's); same name, same id and pose");
+  command->add_option(
+      "--name", options->feed.name,
+      "Its name in the room (default: the source's); it keeps its ID and pose by this name");
   add_token_options(*command, options->token);
   command
       ->add_option("--fps", options->source_options.sim_fps,
@@ -101,19 +101,19 @@ void add_sensor_command(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command
       ->add_option("--sensors", options->source_options.sim_sensor_count,
-                   "Simulated: how many stand around the room")
+                   "Simulated: number of sensors around the room")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
   add_camera_options(*command, options->source_options);
   command->add_option("--preview", options->feed.preview,
-                      "A JPEG file that shows once a second what the sensor sees");
+                      "JPEG file, rewritten each second with the sensor's picture");
   add_codec_options(*command, options->feed.codec);
   command->add_flag("--once", options->once,
                     "Stop at the end of a recording instead of starting again");
-  command->add_flag("--wait", options->feed.wait_for_hub, "Keep trying when there is no hub yet");
+  command->add_flag("--wait", options->feed.wait_for_hub, "Keep trying while no hub answers");
   command->add_option("--log-frames", options->frame_log,
                       "Write one JSON line per frame sent: seq, capture_ns, depth_crc32");
-  command->add_flag("--verbose", options->verbose, "Say when it joins");
+  command->add_flag("--verbose", options->verbose, "Log joins");
   command->footer(
       "Example:\n  roomcast sensor --source rig:recordings/lab#s0 --hub ws://127.0.0.1:7600");
   command->callback([options, &chosen] {

@@ -39,8 +39,8 @@ Status run_simulate(SimulateCommand command) {
 }
 
 void add_room_options(CLI::App& command, SimulateCommand& values) {
-  command.add_option("--scene", values.rig.scene, "Which room: " + simulator::scene_list());
-  command.add_option("--sensors", values.rig.sensor_count, "How many stand around the room")
+  command.add_option("--scene", values.rig.scene, "Scene: " + simulator::scene_list());
+  command.add_option("--sensors", values.rig.sensor_count, "Number of sensors around the room")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
   command.add_option("--seconds", values.rig.seconds, "Length")
@@ -49,29 +49,29 @@ void add_room_options(CLI::App& command, SimulateCommand& values) {
   command.add_option("--fps", values.rig.fps, "Frames per second")
       ->check(CLI::Range(1.0, simulator::kMaxSimulatedFps))
       ->capture_default_str();
-  command.add_option("--seed", values.rig.seed, "Of noise, devices and looks")
+  command.add_option("--seed", values.rig.seed, "Seed of noise, devices and appearance")
       ->capture_default_str();
-  command.add_option("--speed", values.rig.speed, "Of all motion: 1 as in life, 0.05 slow, 0 none")
+  command.add_option("--speed", values.rig.speed, "Speed of all motion: 1 is natural, 0 is none")
       ->check(CLI::Range(0.0, simulator::kMaxSimulatedSpeed))
       ->capture_default_str();
 }
 
 void add_sensor_options(CLI::App& command, SimulateCommand& values) {
-  command.add_option("--camera", values.camera, "kinect2, azure or d435")
+  command.add_option("--camera", values.camera, "Camera type: kinect2, azure or d435")
       ->check(CLI::IsMember({"kinect2", "azure", "d435"}))
       ->capture_default_str();
   command.add_flag("--half-color", values.rig.sensing.half_color, "Colour of 960x540");
   command
       .add_option("--clock-offset", values.rig.timing.clock_offset_s,
-                  "Sensors' clocks are off by up to so many seconds")
+                  "Maximum offset of the sensors' clocks in seconds")
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
   command
       .add_option("--clock-drift", values.rig.timing.rate_ppm,
-                  "Frame rates are off by up to so many millionths")
+                  "Maximum error of the frame rates in ppm")
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
-  command.add_option("--drops", values.lost_percent, "Percentage of frames that are lost")
+  command.add_option("--drops", values.lost_percent, "Percentage of lost frames")
       ->check(CLI::Range(0.0, 50.0))
       ->capture_default_str();
   command
@@ -85,13 +85,13 @@ void add_sensor_options(CLI::App& command, SimulateCommand& values) {
 void add_truth_options(CLI::App& command, SimulateCommand& values) {
   command.add_flag("--truth-color", values.rig.truth_color,
                    "Write noise-free colour into truth/, too");
-  command.add_option("--views", values.rig.views, "Free viewpoints in truth/")
+  command.add_option("--views", values.rig.views, "Number of free viewpoints in truth/")
       ->check(CLI::Range(0, simulator::kMaxSimulatedViews))
       ->capture_default_str();
   command.add_option("--view-size", values.rig.view_side_px, "Their width and height in pixels")
       ->check(CLI::Range(16, simulator::kMaxSimulatedViewSide))
       ->capture_default_str();
-  command.add_option("--threads", values.rig.threads, "0: one per core")
+  command.add_option("--threads", values.rig.threads, "Threads; 0: one per core")
       ->check(CLI::Range(0, 64))
       ->capture_default_str();
 }
@@ -101,13 +101,13 @@ void add_truth_options(CLI::App& command, SimulateCommand& values) {
 void add_simulate_command(CLI::App& app, Command& chosen) {
   auto values = std::make_shared<SimulateCommand>();
   CLI::App* command =
-      app.add_subcommand("simulate", "Write a recording of a simulated room, with its truth");
-  command->add_option("out", values->out, "Folder to make")->required();
+      app.add_subcommand("simulate", "Write a recording of a simulated room with its truth");
+  command->add_option("out", values->out, "New folder")->required();
   add_room_options(*command, *values);
   add_sensor_options(*command, *values);
   add_truth_options(*command, *values);
   command->footer(
-      "Writes a rig and, in OUT/truth, what it is to be judged by: docs/simulator.md.\n"
+      "Writes a rig and its truth in OUT/truth: docs/simulator.md.\n"
       "The same options give the same files on any number of threads.\n"
       "Example:\n"
       "  roomcast simulate recordings/office --scene office --sensors 3 --seconds 5 --seed 7");

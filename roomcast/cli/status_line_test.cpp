@@ -15,7 +15,7 @@ TEST(ProgressText, shows_how_much_is_done_and_the_time_left) {
             "tracing [--------------------] 1 of 100, 8 min 15 s left");
 }
 
-TEST(ProgressText, does_not_guess_before_there_is_anything_to_go_by) {
+TEST(ProgressText, shows_no_time_left_before_it_can_be_estimated) {
   EXPECT_EQ(progress_text("tracing", 0, 3, Seconds(60)), "tracing [--------------------] 0 of 3");
   EXPECT_EQ(progress_text("tracing", 1, 4, Seconds(0.1)), "tracing [#####---------------] 1 of 4");
 }

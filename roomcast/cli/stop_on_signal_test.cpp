@@ -38,7 +38,7 @@ TEST_F(StopOnSignalTest, a_hangup_can_mean_something_else) {
   EXPECT_FALSE(stop.token().stop_requested());
 }
 
-TEST_F(StopOnSignalTest, without_a_signal_it_ends_and_stops_nobody) {
+TEST_F(StopOnSignalTest, without_a_signal_it_ends_and_requests_no_stop) {
   std::stop_token token;
   {
     const StopOnSignal stop;

@@ -27,7 +27,7 @@ Result<std::int64_t> parse_time_span(std::string_view text) {
     }
   }
   return Error{ErrorCode::kInvalidArgument,
-               "\"" + std::string(text) + "\" is no time span: write 90s, 30m, 8h or 7d"};
+               "\"" + std::string(text) + "\" is not a time span; write 90s, 30m, 8h or 7d"};
 }
 
 std::string format_time_span(std::int64_t seconds) {

@@ -37,7 +37,7 @@ Result<std::filesystem::path> find_folder(const TokenCommand& command) {
   const auto config = hub::daemon::find_hub_config(command.config);
   if (!config) return config.error();
   const auto folder = hub::daemon::data_folder(command.data.empty() ? config->data : command.data);
-  if (!folder) return wrong_usage("there is no home folder; name the hub's with --data");
+  if (!folder) return wrong_usage("there is no home folder; give the hub's folder with --data");
   return *folder;
 }
 
@@ -49,21 +49,22 @@ bool has_secret(const std::filesystem::path& folder) {
 }
 
 /// Opens the store that a hub has written to this folder.
-Result<std::unique_ptr<hub::HubStore>> open_book(const std::filesystem::path& folder) {
+Result<std::unique_ptr<hub::HubStore>> open_hub_store(const std::filesystem::path& folder) {
   if (has_secret(folder)) return hub::HubStore::open(folder);
-  return Error{ErrorCode::kNotFound, "no hub has its secret in " + folder.string() +
-                                         ", so no token was made there; name the hub's folder with "
-                                         "--data, or its configuration with --config"};
+  return Error{ErrorCode::kNotFound, "no hub's secret is in " + folder.string() +
+                                         ", so it has no tokens; give the hub's folder with "
+                                         "--data or its configuration with --config"};
 }
 
 /// Opens the store or creates it: a token may be made before the hub has ever run.
-Result<std::unique_ptr<hub::HubStore>> open_or_begin_book(const std::filesystem::path& folder) {
+Result<std::unique_ptr<hub::HubStore>> open_or_create_hub_store(
+    const std::filesystem::path& folder) {
   if (auto made = hub::daemon::make_data_folder(folder); !made) return made.error();
   return hub::HubStore::open(folder);
 }
 
-Status list_tokens(const hub::HubStore& book, bool as_json) {
-  const auto tokens = book.tokens(hub::kAllRooms);
+Status list_tokens(const hub::HubStore& store, bool as_json) {
+  const auto tokens = store.tokens(hub::kAllRooms);
   if (!tokens) return tokens.error();
   if (as_json) {
     Json list = Json::array();
@@ -73,7 +74,7 @@ Status list_tokens(const hub::HubStore& book, bool as_json) {
   }
   fmt::print("{:34}{:20}{:8}{:20}{}\n", "ID", "ROOM", "ROLE", "NAME", "HOLDS");
   for (const auto& token : *tokens) {
-    const auto left = token.claims.expires_at - book.now();
+    const auto left = token.claims.expires_at - store.now();
     fmt::print("{:34}{:20}{:8}{:20}{}\n", token.claims.id, token.claims.grant.room,
                hub::name_of(token.claims.grant.role), token.claims.grant.name,
                (token.is_code ? "code, " : "") + (token.revoked ? "revoked"
@@ -85,12 +86,12 @@ Status list_tokens(const hub::HubStore& book, bool as_json) {
 
 Result<hub::TokenRequest> request_of(const TokenCommand& command) {
   const auto role = hub::token_role(command.role);
-  if (!role) return wrong_usage("--role is sensor, viewer, hub or admin");
+  if (!role) return wrong_usage("give --role: sensor, viewer, hub or admin");
   const auto ttl = parse_time_span(command.ttl);
   if (!ttl) return ttl.error();
   std::string room = command.room;
   if (room.empty() && *role == hub::TokenRole::kAdmin) room = hub::kAllRooms;
-  if (room.empty()) return wrong_usage("say which room with --room");
+  if (room.empty()) return wrong_usage("give the room with --room");
   return hub::TokenRequest{.grant = {.room = room, .role = *role, .name = command.name},
                            .ttl = *ttl,
                            .once = !command.link.empty()};
@@ -107,14 +108,14 @@ Status make_token(const TokenCommand& command, const std::filesystem::path& fold
   const auto request = request_of(command);
   if (!request) return request.error();
   const bool is_first = !has_secret(folder);
-  const auto book = open_or_begin_book(folder);
-  if (!book) return book.error();
-  auto made = hub::make_token_for(*request, **book);
+  const auto store = open_or_create_hub_store(folder);
+  if (!store) return store.error();
+  auto made = hub::make_token_for(*request, **store);
   if (!made) return made.error();
   if (is_first) {
     fmt::print(stderr,
-               "roomcast token: no hub had its secret in {0}, so a new one was made: only a hub "
-               "with --data {0} takes what was made with it\n",
+               "roomcast token: {0} had no hub's secret, so a new one was made: only a hub with "
+               "--data {0} accepts this token\n",
                folder.string());
   }
   if (request->once) (*made)["link"] = link_of(command.link, (*made)["fragment"]);
@@ -125,11 +126,12 @@ Status make_token(const TokenCommand& command, const std::filesystem::path& fold
   const std::string shown = request->once ? (*made)["link"] : (*made)["token"];
   fmt::print("{}\n", shown);
   if (request->once) {
-    fmt::print(stderr,
-               "Good for once, within {}; then for {}. In a program: --token {}\n"
-               "Until it was used it is taken back with roomcast token --revoke {}\n",
-               format_time_span(hub::HubStore::kCodeTtl), format_time_span(request->ttl),
-               (*made)["code"].get<std::string>(), (*made)["id"].get<std::string>());
+    fmt::print(
+        stderr,
+        "The link works once, within {}; its token is valid for {}. For a program: --token {}\n"
+        "Before its use it can be revoked: roomcast token --revoke {}\n",
+        format_time_span(hub::HubStore::kCodeTtl), format_time_span(request->ttl),
+        (*made)["code"].get<std::string>(), (*made)["id"].get<std::string>());
   }
   if (!command.qr) return {};
   const auto qr = qr_code_for_terminal(shown);
@@ -142,39 +144,39 @@ Status run_token(const TokenCommand& command) {
   const auto folder = find_folder(command);
   if (!folder) return folder.error();
   if (!command.list && command.revoke.empty()) return make_token(command, *folder);
-  const auto book = open_book(*folder);
-  if (!book) return book.error();
-  return command.list ? list_tokens(**book, command.json) : (*book)->revoke(command.revoke);
+  const auto store = open_hub_store(*folder);
+  if (!store) return store.error();
+  return command.list ? list_tokens(**store, command.json) : (*store)->revoke(command.revoke);
 }
 
 }  // namespace
 
 void add_token_command(CLI::App& app, Command& chosen) {
   auto values = std::make_shared<TokenCommand>();
-  CLI::App* command = app.add_subcommand(
-      "token", "Let people, sensors and admins into the rooms of the hub on this machine");
+  CLI::App* command =
+      app.add_subcommand("token", "Make, list and revoke tokens of the hub on this machine");
   command->add_option("--role", values->role,
-                      "sensor, viewer, admin, or hub: one that serves the room on");
-  command->add_option("--room", values->room, "The room (without one an admin's is for all)");
-  command->add_option("--name", values->name,
-                      "Whom it is for; a sensor's is good for the sensor of this name only");
-  command->add_option("--ttl", values->ttl, "How long it holds: 90s, 30m, 8h, 7d")
+                      "sensor, viewer, admin, or hub (a relay of the room)");
+  command->add_option("--room", values->room,
+                      "The room (an admin's token without one is for all rooms)");
+  command->add_option(
+      "--name", values->name,
+      "Name of its owner; a sensor's token is valid for the sensor of this name only");
+  command->add_option("--ttl", values->ttl, "Period of validity: 90s, 30m, 8h, 7d")
       ->capture_default_str();
   command->add_option("--link", values->link,
-                      "The hub's address; gives a link that is good for once instead");
+                      "The hub's address; makes a link that works once instead of a token");
   command->add_flag("--qr", values->qr, "Also as a QR code");
-  command->add_flag("--list", values->list,
-                    "Say which tokens there are, and which codes nobody has used");
+  command->add_flag("--list", values->list, "List tokens and unused codes");
   command->add_option(
       "--revoke", values->revoke,
-      "Id of a token, or of a code that nobody has used, that shall hold no longer; "
-      "who came with it is sent away");
+      "ID of a token or unused code to revoke; clients that joined with it are disconnected");
   command->add_option("--config", values->config,
-                      "The hub's configuration, in which its folder is looked up");
+                      "The hub's configuration file, which names its folder");
   command->add_option("--data", values->data,
-                      "The hub's folder (default: as the hub finds it: ROOMCAST_HUB_DATA, the "
-                      "configuration, ~/.local/state/roomcast)");
-  command->add_flag("--json", values->json, "For scripts");
+                      "The hub's folder (default: ROOMCAST_HUB_DATA, the configuration's, "
+                      "~/.local/state/roomcast)");
+  command->add_flag("--json", values->json, "Print JSON");
   command->footer(
       "Examples:\n"
       "  roomcast token --room lab --role sensor --name left --ttl 30d\n"

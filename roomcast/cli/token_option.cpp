@@ -14,7 +14,7 @@ void add_token_options(CLI::App& command, TokenOption& option) {
 
 Result<client::Credential> find_credential(const TokenOption& option) {
   if (!option.token.empty() && !option.file.empty()) {
-    return Error{ErrorCode::kInvalidArgument, "--token and --token-file exclude each other"};
+    return Error{ErrorCode::kInvalidArgument, "give --token or --token-file, not both"};
   }
   if (!option.token.empty()) return client::credential_of(option.token);
   if (!option.file.empty()) return client::read_credential_file(option.file);

@@ -20,7 +20,7 @@ Status run_view(ViewOptions options) {
   options.subscriber.credential = *std::move(credential);
   if (!options.png.empty()) return view_without_window(options);
   if (!options.headless) return view_in_window(options);
-  return Error{ErrorCode::kInvalidArgument, "--headless needs --png FILE: say where to draw to"};
+  return Error{ErrorCode::kInvalidArgument, "--headless needs --png FILE"};
 }
 
 }  // namespace
@@ -40,22 +40,21 @@ std::optional<RigidTransform> ViewOptions::world_from_view(const RigidTransform&
 void add_view_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command =
-      app.add_subcommand("view", "See a room in a window, or a picture of it without one");
+      app.add_subcommand("view", "View a room in a window, or draw one picture of it");
   command
       ->add_option("--hub", options->subscriber.hub_url,
-                   "ws://HOST:PORT; of several, with commas, the next is taken when one is gone")
+                   "ws://HOST:PORT, or several with commas; when one is lost, the next is used")
       ->required();
   command->add_option("--room", options->subscriber.room, "The room (default: the hub's only one)");
   add_token_options(*command, options->token);
-  command->add_option("--name", options->subscriber.name, "Shown to others");
+  command->add_option("--name", options->subscriber.name, "Name shown to others");
   command->add_flag("--headless", options->headless, "Without a window: needs --png");
-  command->add_option("--png", options->png, "Write a picture here, without a window, and end");
-  command
-      ->add_option("--at", options->at,
-                   "Where to stand: x,y,z in metres (default: where the hub puts a viewer)")
+  command->add_option("--png", options->png,
+                      "Write one picture to this file without a window, and end");
+  command->add_option("--at", options->at, "Viewpoint: x,y,z in metres (default: the hub's)")
       ->delimiter(',')
       ->expected(3);
-  command->add_option("--look", options->look, "What to look at: x,y,z in metres")
+  command->add_option("--look", options->look, "Point to look at: x,y,z in metres")
       ->delimiter(',')
       ->expected(3)
       ->needs("--at");
@@ -68,22 +67,23 @@ void add_view_command(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command
       ->add_option("--seconds", options->seconds,
-                   "Receive this long before drawing; with a window: close it then")
+                   "Receive for this time before drawing; with a window: close it then")
       ->check(CLI::NonNegativeNumber);
   add_mode_option(*command, "--mode", options->mode);
-  command->add_flag("--json", options->json, "With --png: report which frames were drawn");
+  command->add_flag("--json", options->json, "With --png: print the drawn frames as JSON");
   command->add_flag("--vr", options->vr, "Show the room in a headset, too (OpenXR)");
-  command->add_flag("--full-screen", options->full_screen, "The window fills the screen");
-  command->add_flag("!--no-panel", options->panel, "The panel is closed at first (Tab opens it)");
+  command->add_flag("--full-screen", options->full_screen, "Full screen");
+  command->add_flag("!--no-panel", options->panel, "Start with a closed panel (Tab opens it)");
   command->add_option("--pictures", options->pictures, "Folder for screenshots and videos")
       ->capture_default_str();
   command->add_option("--last-picture", options->last_picture,
-                      "Write what the window shows, panel and all, when it closes");
+                      "Write the window's last picture, with its panel, to this file");
   command->footer(
-      "In the window H shows all keys. With --png it waits up to 10 s until every sensor that is "
-      "in\n"
-      "the room has sent a picture. When there is none it draws nothing, says so and ends with 1.\n"
-      "Examples:\n  roomcast view --hub ws://127.0.0.1:7600\n"
+      "In the window H shows all keys. With --png the program waits up to 10 s for a picture of "
+      "every\n"
+      "sensor in the room. Without any sensor it draws nothing, reports that and exits with 1.\n"
+      "Examples:\n"
+      "  roomcast view --hub ws://127.0.0.1:7600\n"
       "  roomcast view --hub ws://127.0.0.1:7600 --png room.png --at 3,1.6,2 --look 0,1,0");
   command->callback(
       [options, &chosen] { chosen = [options] { return finish("view", run_view(*options)); }; });

@@ -33,7 +33,7 @@ const sensorKeys = [
   ...['inliers', 'residual_mm', 'reason'],
 ];
 
-test('sensors_that_see_nothing_but_black_stay_apart_each_with_a_reason', async (t) => {
+test('sensors_with_black_pictures_are_refused_each_with_a_reason', async (t) => {
   const rig = writeBlackRig(t);
   const result = await run('align', rig, '--json');
   assert.equal(result.code, 0, result.stderr);
@@ -53,7 +53,7 @@ test('sensors_that_see_nothing_but_black_stay_apart_each_with_a_reason', async (
   assert.doesNotMatch(text.stdout, /0\.0 mm|nan/);
 });
 
-test('a_lens_that_is_no_number_is_refused_with_a_sentence', async (t) => {
+test('invalid_intrinsics_are_refused_with_a_sentence', async (t) => {
   const rig = writeBlackRig(t);
   for (const lens of ['NaN', 'null', '1e999', '-60']) {
     const file = join(rig, 's1', 'camera.json');
@@ -63,7 +63,7 @@ test('a_lens_that_is_no_number_is_refused_with_a_sentence', async (t) => {
   }
 });
 
-test('a_pose_in_rig_json_that_is_no_number_is_refused_with_a_sentence', async (t) => {
+test('an_invalid_pose_in_rig_json_is_refused_with_a_sentence', async (t) => {
   const rig = writeBlackRig(t);
   const file = join(rig, 'rig.json');
   writeFileSync(file, readFileSync(file, 'utf8').replace('"world_from_depth":[1', '"world_from_depth":[NaN'));

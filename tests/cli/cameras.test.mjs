@@ -23,7 +23,7 @@ test('devices_lists_every_kind_of_camera_and_whether_it_is_built_in', async () =
     if (!builtIn) assert.match(problem, new RegExp(`built without ${library}`));
 });
 
-test('devices_speaks_to_people_too', async () => {
+test('devices_prints_a_readable_list', async () => {
   const { code, stdout } = await run('devices');
   assert.equal(code, 0);
   assert.match(stdout, /Kinect v1/);
@@ -65,7 +65,7 @@ function pictures(count) {
   return Buffer.concat(Array(count).fill(frame));
 }
 
-test('a_camera_of_ones_own_is_seen', async () => {
+test('a_program_with_its_own_camera_is_seen', async () => {
   const program = spawn(example, { stdio: ['pipe', 'pipe', 'inherit'] });
   let said = '';
   program.stdout.setEncoding('utf8').on('data', (text) => (said += text));
@@ -75,7 +75,7 @@ test('a_camera_of_ones_own_is_seen', async () => {
   assert.match(said, /in the middle 1234 mm, red 10 green 20 blue 30/);
 });
 
-test('a_sensor_shows_what_it_sees_in_a_file', async (t) => {
+test('a_sensor_writes_a_preview_file', async (t) => {
   const { url } = await startHub(t);
   const preview = join(scratchFolder(t), 'now.jpg');
   const sensor = new Program(['sensor', '--source', 'sim', '--hub', url, '--verbose', '--preview', preview]);

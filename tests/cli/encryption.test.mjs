@@ -37,7 +37,7 @@ test('page_is_served_encrypted_with_the_certificate_that_was_printed', async (t)
   assert.equal(fingerprint.replaceAll(':', '').toLowerCase(), hub.fingerprint);
 });
 
-test('who_forgets_the_s_is_told', async (t) => {
+test('unencrypted_requests_are_answered_with_the_encrypted_scheme', async (t) => {
   const hub = await startEncryptedHub(t);
   const { status, body } = await get(plainRequest, { port: hub.port });
   assert.equal(status, 400);
@@ -50,16 +50,16 @@ test('room_is_seen_through_an_encrypted_hub', async (t) => {
   await assertServes(t, hub);
 });
 
-test('hub_that_nobody_vouches_for_is_refused', async (t) => {
+test('hub_with_an_untrusted_certificate_is_refused', async (t) => {
   const hub = await startEncryptedHub(t);
   const sensor = ['sensor', '--source', 'sim', '--hub'];
-  assertFailed(await run(...sensor, `wss://127.0.0.1:${hub.port}`), 1, /cannot be trusted/);
+  assertFailed(await run(...sensor, `wss://127.0.0.1:${hub.port}`), 1, /untrusted certificate/);
   const wrong = `wss://127.0.0.1:${hub.port}#sha256=${'0'.repeat(64)}`;
-  assertFailed(await run(...sensor, wrong), 1, /another certificate.*whoever runs the hub/);
+  assertFailed(await run(...sensor, wrong), 1, /another fingerprint.*hub's operator/);
   assertFailed(await run(...sensor, `ws://127.0.0.1:${hub.port}`), 1, /https:/);
 });
 
-test('hub_for_other_machines_encrypts_without_being_told', async (t) => {
+test('hub_for_other_machines_encrypts_by_default', async (t) => {
   const hub = new Program(['hub', '--listen', '0.0.0.0:0', '--data', scratchFolder(t)]);
   t.after(() => hub.stop('SIGKILL'));
   await hub.prints(/https:\/\/0\.0\.0\.0:\d+\/[^]*sha256=/);
@@ -88,7 +88,7 @@ function putUnnoticed(file, content) {
   renameSync(`${file}.new`, file);
 }
 
-test('certificate_that_was_renewed_is_loaded_when_the_hub_is_told_so', async (t) => {
+test('renewed_certificate_is_loaded_on_sighup', async (t) => {
   const before = await makeCertificate(t, scratchFolder(t));
   const after = await makeCertificate(t, scratchFolder(t));
   const file = join(scratchFolder(t), 'hub.pem');
@@ -107,7 +107,7 @@ test('certificate_that_was_renewed_is_loaded_when_the_hub_is_told_so', async (t)
   assert.equal(await fingerprintOf(hub.port), after.fingerprint);
 });
 
-test('certificate_that_was_renewed_is_noticed_without_being_told', async (t) => {
+test('renewed_certificate_is_noticed_without_a_signal', async (t) => {
   const before = await makeCertificate(t, scratchFolder(t));
   const after = await makeCertificate(t, scratchFolder(t));
   const hub = await startHub(t, '--tls-cert', before.file, '--tls-key', before.file, '--verbose');
@@ -116,7 +116,7 @@ test('certificate_that_was_renewed_is_noticed_without_being_told', async (t) => 
   assert.equal(await fingerprintOf(hub.port), after.fingerprint);
 });
 
-test('certificate_files_that_do_not_serve_are_named', async () => {
+test('unusable_certificate_files_are_named', async () => {
   const files = (certificate, key) => ['hub', '--listen', '127.0.0.1:0', '--tls-cert', certificate, '--tls-key', key];
   assertFailed(await run(...files('/no/such.pem', '/no/such.key')), 1, /such\.pem/);
   assertFailed(await run(...files('/dev/null', '/dev/null')), 1, /no certificate/);

@@ -108,7 +108,7 @@ test('gltf_is_valid_and_its_meshes_have_the_points', async (t) => {
   });
 });
 
-test('foxglove_messages_are_those_that_programs_know', async (t) => {
+test('foxglove_messages_have_the_published_schemas', async (t) => {
   const { out } = await exportRig(t, 'foxglove', '--keep-doubles', '--to', '0.3');
   const { reader, messages } = await readIndexed(join(out, 'room.mcap'));
   const kinds = new Set();
@@ -166,11 +166,11 @@ test('doubles_are_left_out_and_clouds_are_cropped_and_thinned', async (t) => {
   assert.ok((await points('--voxel', '0.1')) < merged / 2);
 });
 
-test('says_why_it_cannot_export', async (t) => {
+test('refusals_state_the_reason', async (t) => {
   const out = join(scratchFolder(t), 'out');
   const at = ['--format', 'ply', '--out', out];
   assertFailed(await run('export', '/no/such/recording', ...at), 1, /cannot open/);
-  assertFailed(await run('export', rig, ...at, '--from', '100'), 1, /nothing to export/);
+  assertFailed(await run('export', rig, ...at, '--from', '100'), 1, /has no frames/);
   assertFailed(await run('export', rig, ...at, '--crop=0,0,0,0,0'), 2, /--help/);
   mkdirSync(join(out, 'full'), { recursive: true });
   assertFailed(await run('export', rig, '--format', 'rig', '--out', out), 1, /not empty/);
@@ -206,7 +206,7 @@ test('video_is_a_folder_of_pictures_where_there_is_no_ffmpeg', async (t) => {
 
 const noFfmpeg = spawnSync('ffprobe', ['-version']).error ? 'ffmpeg is not installed' : false;
 
-test('video_has_the_length_and_size_that_were_asked_for', { skip: noFfmpeg }, async (t) => {
+test('video_has_the_requested_length_and_size', { skip: noFfmpeg }, async (t) => {
   const folder = scratchFolder(t);
   const out = join(folder, 'out');
   const result = await run('export', rig, ...film, '--out', out);
@@ -218,10 +218,10 @@ test('video_has_the_length_and_size_that_were_asked_for', { skip: noFfmpeg }, as
   assertFailed(await run('export', rig, ...film, '--out', out), 1, /film\.mp4 already/);
 });
 
-test('camera_path_that_is_none_is_named', async (t) => {
+test('an_invalid_camera_path_is_named', async (t) => {
   const folder = scratchFolder(t);
   const path = join(folder, 'walk.json');
   writeFileSync(path, '{"keys": [{"time_s": 0, "at": [0, 0, 0], "look": [0, 0, 0]}]}');
   const result = await run('export', rig, ...film, '--out', join(folder, 'out'), '--path', path);
-  assertFailed(result, 2, /walk\.json.*key 0.*looks at the place where it is/);
+  assertFailed(result, 2, /walk\.json.*key 0.*must look at another place/);
 });

@@ -42,12 +42,12 @@ test('hub_stops_in_good_order_when_interrupted', async (t) => {
   assert.equal(await hub.program.stop('SIGINT'), 0);
 });
 
-test('sensor_without_a_hub_says_where_it_looked', async () => {
+test('sensor_without_a_hub_names_the_address', async () => {
   const port = await closedPort();
   assertFailed(await run('sensor', '--source', 'sim', '--hub', `ws://127.0.0.1:${port}`), 1, new RegExp(`127.0.0.1:${port}`));
 });
 
-test('viewer_without_a_hub_says_where_it_looked_and_writes_nothing', async (t) => {
+test('viewer_without_a_hub_names_the_address_and_writes_nothing', async (t) => {
   const port = await closedPort();
   const folder = scratchFolder(t);
   const result = await run('view', '--hub', `ws://127.0.0.1:${port}`, '--headless', '--png', join(folder, 'a.png'));
@@ -55,7 +55,7 @@ test('viewer_without_a_hub_says_where_it_looked_and_writes_nothing', async (t) =
   assert.deepEqual(readdirSync(folder), []);
 });
 
-test('what_answers_but_is_no_hub_is_told_from_one', async (t) => {
+test('a_server_that_is_no_hub_is_recognised', async (t) => {
   const server = createServer((socket) => socket.end('HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n'));
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
   t.after(() => server.close());
@@ -97,7 +97,7 @@ const nonsense = {
   },
 };
 
-test('hub_hangs_up_on_nonsense_and_serves_the_others', async (t) => {
+test('hub_closes_connections_with_invalid_data_and_serves_the_others', async (t) => {
   for (const [name, talk] of Object.entries(nonsense)) {
     await t.test(name, async (t) => {
       const { hub } = await startRoom(t);
@@ -111,7 +111,7 @@ test('hub_hangs_up_on_nonsense_and_serves_the_others', async (t) => {
   }
 });
 
-test('metrics_tell_of_sensors_and_sets', async (t) => {
+test('metrics_count_sensors_and_sets', async (t) => {
   const { hub } = await startRoom(t);
   const deadline = Date.now() + 10_000;
   let metrics = '';
@@ -122,7 +122,7 @@ test('metrics_tell_of_sensors_and_sets', async (t) => {
   assert.match(metrics, /^roomcast_sensor_online\{room="room",sensor="[^"]+"\} 1$/m);
 });
 
-test('reason_of_a_hang_up_is_a_sentence', async (t) => {
+test('the_reason_of_a_close_is_a_sentence', async (t) => {
   const hub = await startHub(t);
   const socket = await RawSocket.open(hub.port);
   await socket.upgrade();
@@ -132,16 +132,16 @@ test('reason_of_a_hang_up_is_a_sentence', async (t) => {
   assert.match(reason, /\w+ \w+/);
 });
 
-test('hub_that_cannot_read_what_it_kept_does_not_start_and_forget_whom_it_turned_away', async (t) => {
+test('hub_that_cannot_read_its_database_does_not_start', async (t) => {
   const folder = scratchFolder(t);
   writeFileSync(join(folder, 'hub.sqlite'), 'x'.repeat(5000));
   assertFailed(await run('hub', '--listen', '127.0.0.1:0', '--data', folder), 1, /hub\.sqlite cannot keep/);
 });
 
-test('hub_that_is_root_is_told_that_it_needs_not_be', async (t) => {
+test('hub_warns_when_it_runs_as_root', async (t) => {
   const isRoot = process.getuid() === 0;
   const { program } = await startHub(t);
-  assert.equal(/runs as root, which it needs for nothing/.test(program.stderr), isRoot, program.stderr);
+  assert.equal(/runs as root without need/.test(program.stderr), isRoot, program.stderr);
   if (!isRoot) return;
   const folder = scratchFolder(t);
   chownSync(folder, 65534, 65534);
@@ -152,7 +152,7 @@ test('hub_that_is_root_is_told_that_it_needs_not_be', async (t) => {
   assert.doesNotMatch(nobodys.stderr, /root/);
 });
 
-test('service_of_the_hub_is_nobody_and_can_write_its_own_folder_only', () => {
+test('service_of_the_hub_has_no_privileges_and_writes_its_own_folder_only', () => {
   const unit = readFileSync(new URL('../../packaging/systemd/roomcast-hub.service', import.meta.url), 'utf8');
   const settings = unit.split('\n');
   for (const setting of ['DynamicUser=yes', 'StateDirectory=roomcast', 'StateDirectoryMode=0700', 'ProtectSystem=strict',

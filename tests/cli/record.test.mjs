@@ -131,7 +131,7 @@ test('a_full_disk_ends_the_recording_with_a_sentence_and_the_room_goes_on', asyn
   assert.equal(info.code, 0, info.stderr);
 });
 
-test('what_the_official_writer_writes_is_read', async (t) => {
+test('files_of_the_official_writer_are_read', async (t) => {
   const { reader, messages, metadata } = await readIndexed(recording);
   const parts = [];
   let position = 0n;

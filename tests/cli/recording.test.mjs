@@ -101,7 +101,7 @@ test('folder_without_rig_json_is_no_rig', async (t) => {
   assertFailed(await play(t, rig), 1, /rig\.json/);
 });
 
-test('sensor_that_is_not_in_the_rig_is_named_with_those_that_are', async (t) => {
+test('an_unknown_sensor_of_a_rig_is_named_with_the_existing_ones', async (t) => {
   const hub = await startHub(t);
   assertFailed(await run('sensor', '--source', `rig:${recording}#s9`, '--hub', hub.url), 1, /s9.*s0.*s1/);
 });

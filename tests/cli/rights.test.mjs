@@ -23,7 +23,7 @@ async function startRoom(t, ...rights) {
   return hub;
 }
 
-test('a_room_that_does_not_let_viewers_record_is_kept_by_none_of_our_programs', async (t) => {
+test('no_program_records_a_room_that_does_not_let_viewers_record', async (t) => {
   const hub = await startRoom(t, 'record = "admin"');
   const folder = scratchFolder(t);
   const kept = (name) => join(folder, name);
@@ -34,13 +34,13 @@ test('a_room_that_does_not_let_viewers_record_is_kept_by_none_of_our_programs', 
   for (const name of ['a.png', 'a.mcap', 'b.png']) assert.equal(existsSync(kept(name)), false, name);
 });
 
-test('what_was_recorded_of_a_room_that_is_not_to_be_exported_is_not_exported', async (t) => {
+test('recordings_of_a_room_without_the_right_to_export_are_not_exported', async (t) => {
   const hub = await startRoom(t, 'export = "admin"');
   const folder = scratchFolder(t);
   const file = join(folder, 'a.mcap');
   const recorded = await run('record', file, '--hub', hub.url, '--seconds', '1');
   assert.equal(recorded.code, 0, recorded.stderr);
-  assertFailed(await run('export', file, '--out', join(folder, 'out')), 1, /did not let whoever recorded it export it/);
+  assertFailed(await run('export', file, '--out', join(folder, 'out')), 1, /did not let viewers export/);
   assert.equal(existsSync(join(folder, 'out')), false);
 });
 
@@ -59,13 +59,13 @@ for ask in (library.roomcast_may_record, library.roomcast_may_export):
 library.roomcast_disconnect(ctypes.c_void_p(viewer))
 `;
 
-test('the_library_says_what_a_room_lets_viewers_keep', { skip: existsSync(library) ? false : `${library} is not built` }, async (t) => {
+test('the_library_reports_the_rights_of_viewers', { skip: existsSync(library) ? false : `${library} is not built` }, async (t) => {
   const hub = await startRoom(t, 'record = "nobody"');
   const { stdout, stderr } = spawnSync('python3', ['-c', asksLibrary, library, hub.url], { encoding: 'utf8', timeout: 25_000 });
   assert.equal(stdout, '0 this room does not let viewers record\n1 \n', stderr);
 });
 
-test('the_c_example_makes_no_file_of_a_room_that_is_not_to_be_exported',
+test('the_c_example_writes_no_file_of_a_room_without_the_right_to_export',
   { skip: existsSync(example) ? false : `${example} is not built` }, async (t) => {
     const hub = await startRoom(t, 'export = "nobody"');
     const ply = join(scratchFolder(t), 'room.ply');

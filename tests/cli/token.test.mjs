@@ -29,7 +29,7 @@ async function startSensor(t, hub, ...options) {
 const look = (hub, folder, ...options) =>
   run('view', '--hub', hub.url, '--headless', '--size', '64,48', '--png', join(folder, 'room.png'), ...options);
 
-test('room_is_seen_with_tokens_and_without_them_it_is_not', async (t) => {
+test('room_is_visible_only_with_tokens', async (t) => {
   const hub = await startClosedHub(t);
   const { token: forSensor } = await token(hub, '--room', 'room', '--role', 'sensor');
   const { token: forViewer } = await token(hub, '--room', 'room', '--role', 'viewer');
@@ -44,7 +44,7 @@ test('room_is_seen_with_tokens_and_without_them_it_is_not', async (t) => {
   assertFailed(await look(hub, hub.folder, '--room', 'attic', '--token', forViewer), 1, /another room/);
 });
 
-test('code_lets_one_in_once', async (t) => {
+test('a_code_works_once', async (t) => {
   const hub = await startClosedHub(t);
   await startSensor(t, hub, '--token', (await token(hub, '--room', 'room', '--role', 'sensor')).token);
   const made = await token(hub, '--room', 'room', '--role', 'viewer', '--link', 'https://hub.example.org:7600');
@@ -53,7 +53,7 @@ test('code_lets_one_in_once', async (t) => {
   assertFailed(await look(hub, hub.folder, '--token', made.code), 1, /used already/);
 });
 
-test('code_that_nobody_has_used_is_listed_and_taken_back', async (t) => {
+test('unused_code_is_listed_and_revoked', async (t) => {
   const hub = await startClosedHub(t);
   const made = await token(hub, '--room', 'room', '--role', 'viewer', '--link', 'https://hub.example.org:7600');
   const { tokens } = await token(hub, '--list');
@@ -63,7 +63,7 @@ test('code_that_nobody_has_used_is_listed_and_taken_back', async (t) => {
   assertFailed(await look(hub, hub.folder, '--token', made.code), 1, /code was revoked/);
 });
 
-test('revoked_token_sends_its_holder_away_and_lets_nobody_in', async (t) => {
+test('revoked_token_disconnects_its_holder_and_is_refused', async (t) => {
   const hub = await startClosedHub(t);
   const { id, token: shown } = await token(hub, '--room', 'room', '--role', 'sensor');
   const sensor = await startSensor(t, hub, '--token', shown);
@@ -74,7 +74,7 @@ test('revoked_token_sends_its_holder_away_and_lets_nobody_in', async (t) => {
   assert.equal(tokens.find((entry) => entry.id === id).revoked, true);
 });
 
-test('hub_on_this_machine_is_open_and_keeps_its_secret_to_itself', async (t) => {
+test('hub_on_this_machine_is_open_and_protects_its_secret', async (t) => {
   const folder = scratchFolder(t);
   const hub = await startHub(t, '--data', folder);
   await startSensor(t, hub);
@@ -120,12 +120,12 @@ test('token_that_is_not_there_cannot_be_revoked', async (t) => {
 test('tokens_are_looked_for_only_where_a_hub_has_its_secret', async (t) => {
   const folder = scratchFolder(t);
   for (const what of [['--list'], ['--revoke', 'nobodys']]) {
-    assertFailed(await run('token', '--data', folder, ...what), 1, /no hub has its secret in .*--data/);
+    assertFailed(await run('token', '--data', folder, ...what), 1, /no hub's secret is in .*--data/);
   }
   assert.deepEqual(readdirSync(folder), []);
 });
 
-test('token_is_of_the_hub_that_the_configuration_or_the_environment_names', async (t) => {
+test('token_belongs_to_the_hub_named_by_configuration_or_environment', async (t) => {
   const folder = scratchFolder(t);
   const inFolder = (name) => join(folder, name);
   writeFileSync(inFolder('roomcast.toml'), `data = "${inFolder('configured')}"\n`);
@@ -134,7 +134,7 @@ test('token_is_of_the_hub_that_the_configuration_or_the_environment_names', asyn
 
   const made = await make(['--config', inFolder('roomcast.toml')]);
   assert.equal(made.code, 0, made.stderr);
-  assert.ok(made.stderr.includes(`a new one was made: only a hub with --data ${inFolder('configured')} takes`), made.stderr);
+  assert.ok(made.stderr.includes(`a new one was made: only a hub with --data ${inFolder('configured')} accepts`), made.stderr);
   assert.equal((await make(['--config', inFolder('roomcast.toml')])).stderr, '', 'it is there by now');
   await make(['--config', inFolder('roomcast.toml')], { ROOMCAST_HUB_DATA: inFolder('environment') });
   await make(['--config', inFolder('roomcast.toml'), '--data', inFolder('said')], { ROOMCAST_HUB_DATA: inFolder('environment') });

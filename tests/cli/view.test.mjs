@@ -22,7 +22,7 @@ test('room_without_sensors_is_not_drawn', async (t) => {
   deepEqual(readdirSync(folder), []);
 });
 
-test('room_whose_sensors_have_left_is_not_drawn', async (t) => {
+test('room_without_its_sensors_is_not_drawn', async (t) => {
   const hub = await startHub(t);
   const sensor = await startSensor(t, hub.url, writeSmallRig(scratchFolder(t)), 0);
   const folder = scratchFolder(t);
@@ -50,7 +50,7 @@ test('window_opens_and_its_last_picture_is_kept', async (t) => {
   deepEqual(readdirSync(folder), ['window.png']);
 });
 
-test('window_closes_when_it_is_told_to_stop', async (t) => {
+test('window_closes_on_sigterm', async (t) => {
   const hub = await startHub(t);
   const witness = await RoomClient.join(t, hub.url);
   const viewer = new Program(['view', '--hub', hub.url, '--size', '64,48'], {
