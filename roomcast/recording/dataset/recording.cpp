@@ -46,7 +46,8 @@ bool numbered_by_name(const std::vector<ListedFile>& files) {
 Result<std::vector<ListedFile>> read_depth_list(const fs::path& folder) {
   auto files = read_tum_list(folder / "depth.txt");
   if (files.ok() && files->empty()) {
-    return Error{ErrorCode::kMalformed, (folder / "depth.txt").string() + " lists no frames"};
+    return Error{ErrorCode::kMalformed,
+                 (folder / "depth.txt").string() + " lists no frames; it must list at least one"};
   }
   return files;
 }

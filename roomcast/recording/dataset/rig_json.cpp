@@ -79,7 +79,7 @@ Result<RigDescription> read_rig_json(const std::filesystem::path& path) {
   const io::JsonFields fields(*json, "", problems);
   if (fields.number("version", kVersion) != kVersion) {
     return Error{ErrorCode::kUnsupported,
-                 path.string() + " is of a version that is not known here"};
+                 path.string() + " has a version that this roomcast cannot read; use a newer one"};
   }
   RigDescription rig;
   rig.fps = fields.number("fps");

@@ -27,7 +27,7 @@ Result<RigDescription> read(const std::string& text) {
   return read_rig_json(folder / "rig.json");
 }
 
-TEST(RigJson, what_is_written_is_read_back) {
+TEST(RigJson, reads_back_its_own_output) {
   const auto rig = read(rig_json_text(two_sensors()));
   ASSERT_TRUE(rig.ok()) << rig.error().message;
   EXPECT_EQ(rig->fps, 25);

@@ -37,7 +37,7 @@ Status check_names(std::span<const RigSensor> sensors) {
     const std::string& name = sensors[i].description.name;
     const bool folder_name = is_sensor_name(name) && name.find('/') == std::string::npos &&
                              stays_inside(name) && name != ".";
-    if (!folder_name) return invalid("the sensor name \"" + name + "\" is no folder name");
+    if (!folder_name) return invalid("the sensor name \"" + name + "\" cannot be a folder's name");
     for (std::size_t j = 0; j < i; ++j) {
       if (sensors[j].description.name == name) return invalid("two sensors are named " + name);
     }
@@ -63,7 +63,7 @@ Status make_empty_folder(const fs::path& path) {
   if (error) return cannot_make(path, error);
   if (!empty) {
     return Error{ErrorCode::kUnavailable,
-                 path.string() + " is not empty; name a new folder, nothing is overwritten"};
+                 path.string() + " is not empty, and nothing is overwritten; choose a new folder"};
   }
   return {};
 }
@@ -100,10 +100,10 @@ Status check_frame(const SensorCalibration& calibration, const source::CapturedF
     return image.width() == camera.width && image.height() == camera.height;
   };
   if (!is(frame.depth_mm, calibration.depth)) {
-    return invalid("the depth picture is not of the size in its calibration");
+    return invalid("the depth picture differs in size from its calibration");
   }
   if (!frame.color.empty() && !is(frame.color, calibration.color)) {
-    return invalid("the colour picture is not of the size in its calibration");
+    return invalid("the colour picture differs in size from its calibration");
   }
   return {};
 }
@@ -159,7 +159,7 @@ Status RigWriter::check_index(const Progress& progress, std::uint64_t index) {
   if (!progress.started) return {};
   if (index < progress.next_index) return invalid("frame numbers of a sensor must grow");
   if (index - progress.next_index > kMaxGap)
-    return invalid("more frames are missing than a rig can name");
+    return invalid("the gap is longer than the largest number of dropped frames in a rig");
   return {};
 }
 

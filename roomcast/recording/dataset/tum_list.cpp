@@ -62,7 +62,7 @@ Status for_each_line(const std::filesystem::path& path, const Use& use) {
   return {};
 }
 
-constexpr const char* kNotATime = "the timestamp is no number of seconds";
+constexpr const char* kNotATime = "the timestamp must be a number of seconds";
 constexpr const char* kOutside = "the file must be inside the recording's folder";
 
 }  // namespace

@@ -22,7 +22,7 @@ TEST(ParseSeconds, keeps_every_digit) {
   EXPECT_EQ(time.count(), 1123456789);
 }
 
-TEST(ParseSeconds, refuses_what_is_no_time) {
+TEST(ParseSeconds, refuses_invalid_times) {
   nanoseconds time{};
   for (const char* text :
        {"", "-", ".", ".5", "1e5", "nan", "1.2.3", "0x10", "1 2", "99999999999"}) {
@@ -59,7 +59,7 @@ TEST_F(TumList, reads_lines_and_skips_comments) {
   EXPECT_EQ((*files)[2].file, "c");
 }
 
-TEST_F(TumList, names_file_and_line_of_what_is_wrong) {
+TEST_F(TumList, names_file_and_line_of_an_error) {
   expect_refused("1.5 a\n2.5\n", "expected a timestamp and a file");
   expect_refused("1.5 a\nx b\n", "timestamp");
   expect_refused("1.5 a\n1.5 b\n", "must grow");

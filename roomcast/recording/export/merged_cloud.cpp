@@ -57,9 +57,9 @@ std::uint8_t rounded(float value) {
 
 Status MergedCloudOptions::check() const {
   if (crop_m && crop_m->isEmpty())
-    return Error{ErrorCode::kInvalidArgument, "the box to crop to is empty: give its two corners"};
+    return Error{ErrorCode::kInvalidArgument, "the crop box is empty; give two opposite corners"};
   if (!(voxel_m >= 0 && voxel_m <= 1))
-    return Error{ErrorCode::kInvalidArgument, "points are thinned out to cubes of 0 to 1 m"};
+    return Error{ErrorCode::kInvalidArgument, "the voxel size must be 0 to 1 m"};
   return {};
 }
 

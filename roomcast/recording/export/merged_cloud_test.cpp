@@ -19,7 +19,7 @@ PointCloud merged(const MergedCloudOptions& options) {
   return cloud;
 }
 
-TEST(MergedCloud, what_both_see_is_there_once_from_the_one_that_sees_it_better) {
+TEST(MergedCloud, a_common_surface_is_kept_once_from_the_sensor_that_sees_it_better) {
   const PointCloud cloud = merged({});
   EXPECT_LT(cloud.size(), 2 * kOfOneSensor);
   const auto red = static_cast<std::size_t>(std::ranges::count(cloud.colors, Rgb8{200, 0, 0}));
@@ -35,7 +35,7 @@ TEST(MergedCloud, what_both_see_is_there_once_from_the_one_that_sees_it_better) 
   }
 }
 
-TEST(MergedCloud, keeps_doubles_on_request) {
+TEST(MergedCloud, keeps_duplicates_on_request) {
   EXPECT_EQ(merged({.crop_m = {}, .voxel_m = 0, .keep_doubles = true}).size(), 2 * kOfOneSensor);
 }
 
@@ -60,7 +60,7 @@ TEST(MergedCloud, thins_out_to_one_point_for_each_cube) {
   }
 }
 
-TEST(MergedCloud, sensors_that_nobody_has_placed_are_left_out) {
+TEST(MergedCloud, unplaced_sensors_are_left_out) {
   MergedCloud merge(wall_sensors(), {});
   FrameSet set = wall_set();
   set.frames[1].world_from_depth.reset();

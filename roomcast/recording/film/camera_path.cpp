@@ -56,11 +56,11 @@ Result<CameraPath> CameraPath::create(std::vector<CameraKey> keys) {
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const CameraKey& key = keys[i];
     if (!std::isfinite(key.time_s) || !key.eye_m.allFinite() || !key.target_m.allFinite())
-      return refused(i, "is not made of finite numbers");
+      return refused(i, "must consist of finite numbers");
     if ((key.target_m - key.eye_m).norm() < kNearestTarget_m)
-      return refused(i, "looks at the place where it is");
+      return refused(i, "must look at another place than its own");
     if (i > 0 && !(key.time_s > keys[i - 1].time_s))
-      return refused(i, "is not later than the one before");
+      return refused(i, "must be later than the one before");
   }
   return CameraPath(std::move(keys));
 }

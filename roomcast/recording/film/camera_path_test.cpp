@@ -62,7 +62,7 @@ TEST(CameraPath, that_runs_through_its_target_goes_on_looking_ahead) {
   EXPECT_TRUE(path->world_from_view(1).rotation.allFinite());
 }
 
-TEST(CameraPath, refuses_what_is_no_path) {
+TEST(CameraPath, refuses_invalid_paths) {
   EXPECT_FALSE(CameraPath::create({}).ok());
   EXPECT_FALSE(CameraPath::create({{0, kAhead, kAhead}}).ok());
   EXPECT_FALSE(CameraPath::create({{1, {0, 0, 0}, kAhead}, {1, {1, 0, 0}, kAhead}}).ok());
@@ -103,7 +103,7 @@ TEST_F(CameraPathFile, holds_keys) {
   EXPECT_NEAR(eye_at(*path, 1).x(), 2, 1e-9);
 }
 
-TEST_F(CameraPathFile, that_is_wrong_is_named_with_what_is_wrong) {
+TEST_F(CameraPathFile, errors_name_the_file_and_the_fault) {
   const auto no_place = read(R"({"keys": [{"time_s": 0, "at": [1, 2], "look": [0, 0, 0]}]})");
   ASSERT_FALSE(no_place.ok());
   EXPECT_NE(no_place.error().message.find("at"), std::string::npos);

@@ -164,7 +164,8 @@ Result<std::unique_ptr<viewer::VideoSink>> open_sink(const std::filesystem::path
   for (const auto& path : {file, folder}) {
     if (std::filesystem::exists(path, error)) {
       return Error{ErrorCode::kUnavailable,
-                   "there is " + path.string() + " already; a film is made anew or not at all"};
+                   "there is " + path.string() +
+                       " already; choose another folder, a film cannot be continued"};
     }
   }
   if (!viewer::is_on_path("ffmpeg")) return viewer::open_png_sequence(folder, io::write_color_png);

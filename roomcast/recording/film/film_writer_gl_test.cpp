@@ -71,7 +71,7 @@ TEST_F(FilmTest, every_picture_shows_the_newest_set_of_its_moment) {
   EXPECT_EQ(middle(3), kBlue);
 }
 
-TEST_F(FilmTest, the_camera_goes_its_way_while_the_room_stands_still) {
+TEST_F(FilmTest, the_camera_moves_while_the_room_is_paused) {
   const auto writer =
       film(*CameraPath::create({{0, {0, 1, 0}, {0, 1, -2}}, {1, {0, 1, 0}, {2, 1, 0}}}));
   ASSERT_TRUE(writer->add(set_at(0s, kRed)).ok());
@@ -93,7 +93,7 @@ TEST_F(FilmTest, a_sensor_that_is_gone_is_not_shown) {
   EXPECT_NE(middle(1), kRed);
 }
 
-TEST_F(FilmTest, without_a_path_it_looks_at_what_the_first_sensor_sees) {
+TEST_F(FilmTest, without_a_path_it_looks_at_the_view_of_the_first_sensor) {
   FilmOptions options;
   options.size = {64, 48};
   options.length_s = 1;

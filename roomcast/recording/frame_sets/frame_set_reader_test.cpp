@@ -46,7 +46,7 @@ TEST(FrameSetReader, says_whether_a_recording_may_be_exported) {
   EXPECT_FALSE((*open_frame_sets(folder / "b.mcap"))->may_be_exported());
 }
 
-TEST(FrameSetReader, begins_where_it_is_told_to) {
+TEST(FrameSetReader, begins_at_the_given_time) {
   const TemporaryFolder folder;
   RecordingFixtureRoom().record(folder / "a.mcap", 40);
   auto reader = open_frame_sets(folder / "a.mcap", std::chrono::milliseconds(2750));
@@ -100,7 +100,7 @@ TEST(FrameSetReader, lines_up_the_sensors_of_a_rig) {
   EXPECT_FALSE(*(*reader)->next(set));
 }
 
-TEST(FrameSetReader, says_what_is_no_recording) {
+TEST(FrameSetReader, names_a_path_that_is_no_recording) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "empty");
   EXPECT_EQ(open_frame_sets(folder / "empty").error().code, ErrorCode::kNotFound);

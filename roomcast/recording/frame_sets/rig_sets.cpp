@@ -137,7 +137,7 @@ Result<std::vector<Track>> open_tracks(const std::filesystem::path& folder) {
   }
   if (!std::filesystem::exists(folder / "rig.json", ignored)) {
     return Error{ErrorCode::kNotFound,
-                 folder.string() + " is no recording: it has neither rig.json nor depth.txt"};
+                 folder.string() + " is not a recording: it has neither rig.json nor depth.txt"};
   }
   const auto names = rig_sensor_names(folder);
   if (!names) return names.error();

@@ -68,7 +68,7 @@ Result<std::unique_ptr<ByteSource>> open_file(const std::filesystem::path& path)
   struct stat about {};
   if (::fstat(descriptor, &about) != 0 || !S_ISREG(about.st_mode)) {
     ::close(descriptor);
-    return Error{ErrorCode::kNotFound, path.string() + " is no file"};
+    return Error{ErrorCode::kNotFound, path.string() + " is not a file"};
   }
   return std::unique_ptr<ByteSource>(
       new FileSource(descriptor, static_cast<std::uint64_t>(about.st_size)));

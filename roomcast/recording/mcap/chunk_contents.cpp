@@ -17,7 +17,7 @@ Status decompress(StoredChunk& chunk, Bytes& bytes) {
     return Error{ErrorCode::kTooLarge, "a chunk in it is too large"};
   if (chunk.compression.empty()) return {};
   if (chunk.compression != "zstd") {
-    return Error{ErrorCode::kUnsupported, "its chunks are compressed by \"" + chunk.compression +
+    return Error{ErrorCode::kUnsupported, "its chunks are compressed with \"" + chunk.compression +
                                               "\"; rewrite it with zstd or without compression"};
   }
   Bytes plain(static_cast<std::size_t>(chunk.uncompressed_size));
@@ -55,10 +55,10 @@ Result<ChunkContents> open_chunk(Bytes record) {
   ChunkContents contents;
   contents.bytes = std::move(record);
   auto chunk = read_chunk(contents.bytes);
-  if (!chunk) return malformed("a chunk is cut off");
+  if (!chunk) return malformed("a chunk is truncated");
   if (auto status = decompress(*chunk, contents.bytes); !status) return status.error();
   if (chunk->records.size() != chunk->uncompressed_size)
-    return malformed("a chunk has a wrong size");
+    return malformed("a chunk has the wrong size");
   const bool checked = chunk->uncompressed_crc == 0 ||
                        crc32(std::as_bytes(chunk->records)) == chunk->uncompressed_crc;
   if (!checked) return malformed("the checksum of a chunk is wrong");

@@ -44,7 +44,7 @@ TEST(Fields, a_string_longer_than_the_bytes_is_refused) {
   EXPECT_EQ(reader.u8(), 0);
 }
 
-TEST(Fields, a_map_whose_last_entry_is_cut_is_refused) {
+TEST(Fields, a_map_with_a_truncated_last_entry_is_refused) {
   std::vector<std::uint8_t> bytes;
   FieldWriter writer(bytes);
   writer.u32(6);
@@ -54,7 +54,7 @@ TEST(Fields, a_map_whose_last_entry_is_cut_is_refused) {
   EXPECT_FALSE(reader.ok());
 }
 
-TEST(Fields, a_record_tells_its_length) {
+TEST(Fields, a_record_starts_with_its_length) {
   std::vector<std::uint8_t> bytes;
   append_record(bytes, Opcode::kDataEnd, [](FieldWriter& fields) { fields.u32(0); });
   EXPECT_EQ(bytes, (std::vector<std::uint8_t>{0x0F, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}));

@@ -13,7 +13,7 @@ namespace {
 
 std::string reason(int error) {
   if (error == ENOSPC || error == EDQUOT) return "the disk is full";
-  if (error == EFBIG) return "files may not grow larger here";
+  if (error == EFBIG) return "the file has reached the size limit of this user or disk";
   return std::strerror(error);
 }
 
@@ -22,8 +22,9 @@ std::string reason(int error) {
 Result<OutputFile> OutputFile::create(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
   if (descriptor >= 0) return OutputFile(path, descriptor);
-  const std::string why =
-      errno == EEXIST ? "it is there already, and nothing is overwritten" : reason(errno);
+  const std::string why = errno == EEXIST
+                              ? "it exists already, and nothing is overwritten; choose another name"
+                              : reason(errno);
   return Error{ErrorCode::kUnavailable, "cannot make " + path.string() + ": " + why};
 }
 

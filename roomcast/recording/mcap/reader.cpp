@@ -36,7 +36,7 @@ Status Reader::check_start() const {
   std::array<std::uint8_t, kMagic.size()> start{};
   const bool is_mcap = source_->read(0, start) && start == kMagic;
   if (is_mcap) return {};
-  return Error{ErrorCode::kMalformed, "it is no MCAP file"};
+  return Error{ErrorCode::kMalformed, "it is not an MCAP file"};
 }
 
 Result<Summary> Reader::read_end() const {
@@ -51,7 +51,7 @@ Result<Summary> Reader::read_end() const {
   const std::uint64_t section_end = source_->size() - kMagic.size() - 4;  // just before the CRC
   if (footer->summary_start > footer_start ||
       section_end - footer->summary_start > kMaxSummaryBytes) {
-    return Error{ErrorCode::kMalformed, "its summary lies where none can be"};
+    return Error{ErrorCode::kMalformed, "its summary's position is invalid"};
   }
   Bytes section(static_cast<std::size_t>(section_end - footer->summary_start));
   if (auto status = source_->read(footer->summary_start, section); !status) return status.error();
@@ -61,13 +61,13 @@ Result<Summary> Reader::read_end() const {
 Result<Bytes> Reader::record_at(std::uint64_t offset, std::uint64_t length, Opcode opcode,
                                 std::size_t limit) const {
   if (length < kRecordHeaderBytes || length > limit + kRecordHeaderBytes)
-    return Error{ErrorCode::kTooLarge, "a record in it has an impossible length"};
+    return Error{ErrorCode::kTooLarge, "a record in it has an invalid length"};
   if (offset > source_->size() || length > source_->size() - offset)
     return Error{ErrorCode::kMalformed, "its summary names records beyond its end"};
   std::array<std::uint8_t, 1> found{};
   if (auto status = source_->read(offset, found); !status) return status.error();
   if (Opcode{found[0]} != opcode)
-    return Error{ErrorCode::kMalformed, "its summary names records that are not there"};
+    return Error{ErrorCode::kMalformed, "its summary names missing records"};
   Bytes content(static_cast<std::size_t>(length - kRecordHeaderBytes));
   if (auto status = source_->read(offset + kRecordHeaderBytes, content); !status)
     return status.error();

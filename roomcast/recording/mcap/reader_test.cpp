@@ -75,7 +75,7 @@ std::size_t expect_messages_in_order(const Reader& reader) {
   return count;
 }
 
-TEST(McapReader, reads_what_the_writer_wrote) {
+TEST(McapReader, reads_files_of_the_writer) {
   const WrittenFile file(true);
   const auto reader = Reader::open(file.path());
   ASSERT_TRUE(reader.ok()) << reader.error().message;
@@ -132,7 +132,7 @@ TEST(McapReader, a_flipped_bit_in_a_chunk_is_noticed_and_others_are_read) {
   EXPECT_TRUE(reader->chunk(2).ok());
 }
 
-TEST(McapReader, a_summary_with_a_wrong_checksum_is_not_believed) {
+TEST(McapReader, a_summary_with_a_wrong_checksum_is_ignored) {
   const WrittenFile file(true);
   Bytes bytes = file_bytes(file.path());
   bytes[bytes.size() - 100] ^= 1;
@@ -142,11 +142,11 @@ TEST(McapReader, a_summary_with_a_wrong_checksum_is_not_believed) {
   EXPECT_EQ(expect_messages_in_order(*reader), 20u);
 }
 
-TEST(McapReader, what_is_no_mcap_file_is_refused) {
+TEST(McapReader, other_files_are_refused) {
   for (const Bytes& bytes : {Bytes{}, Bytes(7, 0x89), Bytes(1000, 0), payload(1000, 1)}) {
     const auto reader = Reader::read(bytes_in_memory(bytes), "x");
     ASSERT_FALSE(reader.ok());
-    EXPECT_EQ(reader.error().message, "x: it is no MCAP file");
+    EXPECT_EQ(reader.error().message, "x: it is not an MCAP file");
   }
   EXPECT_EQ(Reader::open("/no/such/file").error().code, ErrorCode::kNotFound);
   EXPECT_EQ(Reader::open("/tmp").error().code, ErrorCode::kNotFound);
@@ -166,7 +166,7 @@ TEST(McapReader, a_chunk_that_claims_to_be_huge_is_not_allocated) {
   EXPECT_EQ(chunk.error().code, ErrorCode::kTooLarge);
 }
 
-TEST(McapReader, reads_chunks_that_others_have_compressed) {
+TEST(McapReader, reads_chunks_compressed_by_other_programs) {
   Bytes plain;
   append_channel(
       plain,

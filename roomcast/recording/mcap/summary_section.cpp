@@ -133,7 +133,7 @@ Result<Footer> read_footer(ByteView last_bytes) {
   footer.summary_start = fields.u64();
   fields.u64();  // start of the summary offsets: unused, because the whole summary is read
   footer.summary_crc = fields.u32();
-  if (!is_footer) return malformed("its last record is no footer");
+  if (!is_footer) return malformed("its last record is not a footer");
   return footer;
 }
 
@@ -142,7 +142,7 @@ Result<Summary> read_summary(ByteView section, const Footer& footer) {
     return malformed("the checksum of its summary is wrong");
   }
   constexpr std::size_t kFooterStart = kRecordHeaderBytes + 16;  // of the footer, in `section`
-  if (section.size() < kFooterStart) return malformed("its summary is cut off");
+  if (section.size() < kFooterStart) return malformed("its summary is truncated");
   ByteView records = section.first(section.size() - kFooterStart);
   Summary summary;
   while (!records.empty()) {

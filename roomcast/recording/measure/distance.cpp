@@ -112,7 +112,7 @@ Result<MeasuredPlace> place_of_pixel(std::span<const StaticSensor> room,
     return not_found("there is no placed sensor \"" + picked.sensor + "\"; there is " + names);
   }
   if (auto place = place_at(*sensor, picked.pixel)) return *place;
-  return not_found("sensor " + picked.sensor + " has no depth there; pick a place beside it");
+  return not_found("sensor " + picked.sensor + " has no depth at that pixel; choose one beside it");
 }
 
 /// Of the surfaces near a point, the one with the smallest expected error.
@@ -127,7 +127,8 @@ Result<MeasuredPlace> place_near(std::span<const StaticSensor> room,
     if (!best || place->expected_error_m < best->expected_error_m) best = place;
   }
   if (best) return *best;
-  return not_found("no sensor sees a surface within 5 cm of that point");
+  return not_found(
+      "no sensor sees a surface within 5 cm of that point; choose a point on a surface");
 }
 
 }  // namespace
@@ -150,7 +151,7 @@ Result<PickedPlace> parse_place(const std::string& text) {
     }
   }
   return Error{ErrorCode::kInvalidArgument,
-               "\"" + text + "\" is no place: say SENSOR:x,y (a pixel) or x,y,z (metres)"};
+               "\"" + text + "\" is not a place; write SENSOR:x,y (a pixel) or x,y,z (metres)"};
 }
 
 Result<MeasuredPlace> measure_place(std::span<const StaticSensor> room, const PickedPlace& place) {

@@ -42,7 +42,7 @@ TEST(Distance, errors_of_the_sensors_places_count_between_two_sensors) {
   EXPECT_GT(of_two->expected_error_m, 0.04);
 }
 
-TEST(Distance, says_why_there_is_none) {
+TEST(Distance, gives_the_reason_when_it_cannot_measure) {
   auto room = box_room();
   EXPECT_EQ(measure_place(room, {"z", {1, 1}, {}}).error().message,
             "there is no placed sensor \"z\"; there is a, b, c, d");

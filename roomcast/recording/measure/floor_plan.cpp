@@ -141,7 +141,7 @@ Result<FloorPlan> draw_floor_plan(std::span<const StaticSensor> room) {
   plan.walls = find_walls(upright_points(room));
   if (plan.walls.empty()) {
     return Error{ErrorCode::kNotFound,
-                 "no wall can be seen in this recording, so there is no plan"};
+                 "no wall was found in this recording; a floor plan needs one"};
   }
   plan.taken_cells = taken_cells(room);
   for (const StaticSensor& sensor : room) {

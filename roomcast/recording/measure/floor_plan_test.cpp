@@ -60,7 +60,7 @@ TEST(FloorPlan, needs_a_wall) {
   EXPECT_EQ(draw_floor_plan(room).error().code, ErrorCode::kNotFound);
 }
 
-TEST(WallFinder, nothing_is_found_in_nothing) {
+TEST(WallFinder, finds_no_wall_without_points) {
   EXPECT_TRUE(find_walls({}).empty());
 }
 

@@ -65,8 +65,7 @@ Result<std::vector<StaticSensor>> gather_static_room(
   }
   if (!room.empty()) return room;
   return Error{ErrorCode::kNotFound,
-               "there is nothing to measure in: no sensor of the recording has a place in the room "
-               "(roomcast align finds those of a rig)"};
+               "no sensor of this recording is placed; align a rig with roomcast align --write"};
 }
 
 }  // namespace roomcast::recording

@@ -37,7 +37,7 @@ class PassedBy final : public FrameSetReader {
   std::uint64_t count_ = 0;
 };
 
-TEST(StaticRoom, who_passes_by_is_not_part_of_it) {
+TEST(StaticRoom, people_passing_by_are_not_part_of_it) {
   PassedBy reader({true, true});
   const auto room = gather_static_room(reader);
   ASSERT_TRUE(room.ok());

@@ -24,7 +24,7 @@ std::unique_ptr<source::FrameSource> open_rig(const std::filesystem::path& rig,
   return source.ok() ? std::move(*source) : nullptr;
 }
 
-TEST(RigSource, gives_what_was_written) {
+TEST(RigSource, gives_the_written_frames) {
   const TemporaryFolder folder;
   const auto source = open_rig(write_small_rig(folder), "s0", kFastOnce);
   ASSERT_TRUE(source);
@@ -149,7 +149,7 @@ TEST(RigSource, a_missing_or_damaged_picture_is_named_and_passed_over) {
   EXPECT_FALSE(*source->next(frame, {}));
 }
 
-TEST(RigSource, opening_names_the_file_that_is_wrong) {
+TEST(RigSource, opening_names_the_faulty_file) {
   const TemporaryFolder folder;
   const auto rig = write_small_rig(folder);
   const auto message = [&](const std::string& sensor) {
@@ -237,7 +237,7 @@ TEST(TumSource, takes_the_colour_nearest_in_time) {
   EXPECT_EQ(frame.color.at(0, 0), (Rgb8{0, 0, 255}));
 }
 
-TEST(TumSource, associations_say_which_colour_belongs_to_which_depth) {
+TEST(TumSource, associations_pair_colour_with_depth) {
   const TemporaryFolder folder;
   const auto path = write_tum(folder);
   put_text(path / "associations.txt", "12.0 red.png 10.10 depth/b.png\n");

@@ -82,7 +82,7 @@ TEST_F(ReplaySourceTest, sensors_of_different_rates_begin_again_together) {
   }
 }
 
-TEST_F(ReplaySourceTest, a_loop_in_real_time_shows_what_is_due_now) {
+TEST_F(ReplaySourceTest, a_loop_in_real_time_shows_the_frame_that_is_due) {
   RecordingFixtureRoom().record(path, 20);
   auto source = open("s0", true, source::Pace::kRealTime);
   const HostTime before = SteadyClock().now();

@@ -97,7 +97,7 @@ TEST_F(RecorderTest, keeps_the_same_bytes) {
   EXPECT_TRUE(file->may_be_exported());
 }
 
-TEST_F(RecorderTest, what_comes_without_more_is_on_disk_within_a_second) {
+TEST_F(RecorderTest, a_single_frame_is_on_disk_within_a_second) {
   ASSERT_TRUE(open().ok());
   say_roster();
   say_frame(0, 0);
@@ -112,7 +112,7 @@ TEST_F(RecorderTest, says_that_it_records) {
   on_hub([](client::FakeHub& h) { EXPECT_TRUE(h.heard.at(0).join().viewer().records()); });
 }
 
-TEST_F(RecorderTest, shows_its_token_and_joins_as_an_aligner_too_where_bundles_are_kept) {
+TEST_F(RecorderTest, sends_its_token_and_joins_as_an_aligner_too_where_bundles_are_kept) {
   RecorderOptions options;
   options.credential.token = "sesame";
   options.bundles = true;
@@ -184,7 +184,7 @@ TEST_F(RecorderTest, a_room_that_does_not_let_viewers_record_is_not_kept) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-TEST_F(RecorderTest, a_recording_ends_where_the_hub_lets_it_record_no_more) {
+TEST_F(RecorderTest, a_recording_ends_when_the_hub_withdraws_the_right_to_record) {
   ASSERT_TRUE(open().ok());
   on_hub([](client::FakeHub& h) {
     h.lets_record = false;
@@ -194,7 +194,7 @@ TEST_F(RecorderTest, a_recording_ends_where_the_hub_lets_it_record_no_more) {
   EXPECT_EQ(recorder->failure()->message, "this room does not let viewers record");
 }
 
-TEST_F(RecorderTest, the_file_says_where_the_room_is_not_to_be_exported_also_later_on) {
+TEST_F(RecorderTest, the_file_states_a_later_ban_on_export_too) {
   ASSERT_TRUE(open().ok());
   say_roster();
   say_frame(0, 0);

@@ -49,9 +49,9 @@ nanoseconds scaled(nanoseconds time, double by) {
 
 Status RoomPlayerOptions::check() const {
   if (!(from_s >= 0 && from_s < 1e9))
-    return Error{ErrorCode::kInvalidArgument, "a recording begins at 0 s"};
+    return Error{ErrorCode::kInvalidArgument, "the start must be 0 s or later"};
   if (!(speed >= 0.1 && speed <= 10))
-    return Error{ErrorCode::kInvalidArgument, "the speed has to be from 0.1 to 10"};
+    return Error{ErrorCode::kInvalidArgument, "the speed must be 0.1 to 10"};
   return {};
 }
 

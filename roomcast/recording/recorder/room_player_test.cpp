@@ -55,7 +55,7 @@ class RoomPlayerTest : public testing::Test {
   std::unique_ptr<RoomPlayer> player;
 };
 
-TEST_F(RoomPlayerTest, shows_its_token_for_every_sensor) {
+TEST_F(RoomPlayerTest, sends_its_token_for_every_sensor) {
   record(12);
   ASSERT_TRUE(open().ok());
   std::promise<std::vector<wire::pb::Control>> heard;
@@ -81,7 +81,7 @@ TEST_F(RoomPlayerTest, sends_every_frame_at_the_recorded_distances) {
   }
 }
 
-TEST_F(RoomPlayerTest, begins_with_the_key_frame_before_where_it_is_told_to) {
+TEST_F(RoomPlayerTest, begins_with_the_key_frame_before_the_given_time) {
   record(40);
   ASSERT_TRUE(open(3.2).ok());
   ASSERT_TRUE(player->run({}).ok());

@@ -51,12 +51,12 @@ Status RoomRecording::read_about() {
     const bool other = about.error().code == ErrorCode::kNotFound;
     if (!other) return about.error();
     return Error{ErrorCode::kUnsupported,
-                 about.error().message + ": it is no recording made by roomcast record"};
+                 about.error().message + ": it was not made by roomcast record"};
   }
   const auto version = about->find("version");
   if (version == about->end() || version->second != kFormatVersion) {
     return Error{ErrorCode::kUnsupported,
-                 "the recording is of a later version; a newer roomcast reads it"};
+                 "the recording has a later version; use a newer roomcast"};
   }
   if (const auto room = about->find("room"); room != about->end()) room_ = room->second;
   const auto exporting = about->find(std::string(kExportKey));
@@ -66,7 +66,7 @@ Status RoomRecording::read_about() {
 
 Status RoomRecording::check_times() const {
   if (is_plausible(start()) && is_plausible(end()) && start() <= end()) return {};
-  return Error{ErrorCode::kMalformed, "the recording says times that no clock shows"};
+  return Error{ErrorCode::kMalformed, "the recording has times out of range"};
 }
 
 void RoomRecording::find_origin() {
@@ -115,7 +115,7 @@ Status RoomRecording::read_rosters() {
     }
   }
   if (!rosters_.empty()) return {};
-  return Error{ErrorCode::kMalformed, "the recording does not say which sensors it is of"};
+  return Error{ErrorCode::kMalformed, "the recording has no list of sensors"};
 }
 
 void RoomRecording::find_sensors() {

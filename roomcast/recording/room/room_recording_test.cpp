@@ -57,7 +57,7 @@ TEST_F(RoomRecordingTest, knows_its_room_and_sensors) {
   EXPECT_FALSE(recording->damage().has_value());
 }
 
-TEST_F(RoomRecordingTest, what_was_recorded_before_a_sensor_was_placed_has_its_pose_too) {
+TEST_F(RoomRecordingTest, frames_recorded_before_a_sensor_was_placed_have_its_pose_too) {
   room.record(path, 12, true, 8);
   const auto recording = open();
   ASSERT_EQ(recording->rosters().size(), 2u);
@@ -132,7 +132,7 @@ TEST_F(RoomRecordingTest, other_files_are_refused_with_a_reason) {
   const auto recording = open();
   ASSERT_FALSE(recording.ok());
   EXPECT_EQ(recording.error().code, ErrorCode::kUnsupported);
-  EXPECT_NE(recording.error().message.find("no recording made by roomcast"), std::string::npos);
+  EXPECT_NE(recording.error().message.find("not made by roomcast"), std::string::npos);
 }
 
 TEST_F(RoomRecordingTest, frames_of_sensors_that_no_roster_has_are_left_out) {
