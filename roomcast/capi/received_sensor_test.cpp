@@ -19,7 +19,7 @@ client::RoomSensor sensor_with_picture() {
   return sensor;
 }
 
-TEST(ReceivedSensor, whoever_is_away_or_has_no_picture_is_left_out) {
+TEST(ReceivedSensor, sensors_that_are_away_or_without_a_picture_are_left_out) {
   client::RoomSnapshot room;
   room.sensors = {sensor_with_picture(), sensor_with_picture(), sensor_with_picture()};
   room.sensors[0].online = false;

@@ -81,7 +81,7 @@ TEST_F(RoomPointsTest, points_for_which_there_is_no_room_are_counted) {
   EXPECT_EQ(out[3].a, 255);
 }
 
-TEST_F(RoomPointsTest, a_sensor_that_nobody_has_placed_gives_none) {
+TEST_F(RoomPointsTest, an_unplaced_sensor_gives_no_points) {
   client::RoomSensor sensor = sensor_that_sees(one_reading(), {});
   sensor.placed = false;
   EXPECT_EQ(points_of(std::move(sensor)), 0u);

@@ -53,12 +53,12 @@ TEST(CApi, a_pose_that_is_no_rigid_motion_is_refused_before_anything_is_sent) {
   EXPECT_EQ(std::string(error).find("world_from_head"), 0u) << error;
 }
 
-TEST(CApi, ending_nothing_is_nothing) {
+TEST(CApi, closing_null_does_nothing) {
   roomcast_disconnect(nullptr);
   roomcast_free_frames(nullptr);
 }
 
-TEST(CApi, tells_its_version) {
+TEST(CApi, reports_its_version) {
   EXPECT_EQ(std::string(roomcast_version()).substr(0, 2), "1.");
 }
 

@@ -9,7 +9,7 @@ Result<Credential> read_credential_file(const std::string& file) {
   std::ifstream stream(file);
   std::string token;
   if (!(stream >> token)) {
-    return Error{ErrorCode::kNotFound, "there is no token in \"" + file + "\""};
+    return Error{ErrorCode::kNotFound, "no token is in \"" + file + "\""};
   }
   return credential_of(std::move(token));
 }

@@ -6,12 +6,12 @@
 namespace roomcast::client {
 namespace {
 
-TEST(Credential, a_code_is_told_from_a_token) {
+TEST(Credential, distinguishes_a_code_from_a_token) {
   EXPECT_EQ(credential_of("7K2M-9QXA-0C4T-VW3H").code, "7K2M-9QXA-0C4T-VW3H");
   EXPECT_EQ(credential_of("eyJ.abc.def").token, "eyJ.abc.def");
 }
 
-TEST(Credential, nothing_shows_nothing) {
+TEST(Credential, an_empty_credential_sets_neither_token_nor_code) {
   wire::pb::Join join;
   show(credential_of(""), join);
   EXPECT_EQ(join.token(), "");

@@ -46,7 +46,7 @@ TEST(HubChoice, knocks_at_the_others_at_once_when_its_hub_is_gone) {
   EXPECT_THAT(tried(choice), ElementsAre("a", "b", "c")) << "perhaps it is back";
 }
 
-TEST(HubChoice, who_is_refused_everywhere_waits) {
+TEST(HubChoice, a_client_that_every_hub_refuses_waits) {
   HubChoice choice = choice_of("a,b");
   choice.answered(hub("a"));
   EXPECT_EQ(choice.failed(), 0ns);

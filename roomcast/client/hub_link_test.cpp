@@ -142,7 +142,7 @@ TEST(HubLink, a_hub_that_falls_silent_is_given_up_and_tried_again) {
   both_run_until_welcome(2);
 }
 
-TEST_F(HubLinkTest, what_is_no_hub_is_not_asked_again) {
+TEST_F(HubLinkTest, other_servers_are_not_tried_again) {
   const std::uint16_t port = hub->port();
   hub.reset();
   const auto web = web_server(port);
@@ -151,7 +151,7 @@ TEST_F(HubLinkTest, what_is_no_hub_is_not_asked_again) {
   EXPECT_TRUE(heard.is_final);
 }
 
-TEST_F(HubLinkTest, a_proxy_whose_hub_starts_again_is_asked_until_it_is_back) {
+TEST_F(HubLinkTest, a_proxy_is_tried_until_its_hub_is_back) {
   welcomed();
   const std::uint16_t port = hub->port();
   hub->hang_up();

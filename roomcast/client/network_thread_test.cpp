@@ -19,7 +19,7 @@ TEST(NetworkThread, runs_its_work_elsewhere_and_all_of_it) {
   EXPECT_TRUE(posted_by_last);
 }
 
-TEST(NetworkThread, the_last_work_can_end_what_would_go_on) {
+TEST(NetworkThread, the_last_task_can_end_the_others) {
   NetworkThread network;
   boost::asio::steady_timer never(network.io(), std::chrono::hours(1));
   bool ended = false;

@@ -41,7 +41,8 @@ class NudgeRequest final : public HubLinkEvents {
   Answer wait() {
     auto answer = answer_.get_future();
     if (answer.wait_for(options_.patience) == std::future_status::ready) return answer.get();
-    return Error{ErrorCode::kUnavailable, "the hub's aligner has not answered; does it have one?"};
+    return Error{ErrorCode::kUnavailable,
+                 "the hub's aligner has not answered; check that the hub runs without --no-align"};
   }
 
   void on_welcome(const pb::Welcome&) override { before_.reset(); }

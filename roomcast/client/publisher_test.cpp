@@ -136,7 +136,7 @@ TEST_F(PublisherTest, a_key_request_reaches_the_encoder) {
   EXPECT_TRUE(wanted);
 }
 
-TEST_F(PublisherTest, when_frames_pile_up_it_is_nobodys_turn) {
+TEST_F(PublisherTest, while_frames_pile_up_no_turn_is_granted) {
   (void)wait_for_turn();  // the clock is known
   // The hub's thread is blocked, so nothing is read and the socket fills.
   std::promise<void> go_on;
@@ -164,7 +164,7 @@ TEST_F(PublisherTest, when_frames_pile_up_it_is_nobodys_turn) {
   EXPECT_LT(wait_for_turn().rate_share, 1) << "and the next ones should be smaller";
 }
 
-TEST_F(PublisherTest, what_waited_for_a_broken_connection_is_not_sent_over_the_next) {
+TEST_F(PublisherTest, frames_queued_for_a_broken_connection_are_not_sent_over_the_next) {
   std::promise<void> go_on;
   boost::asio::post(network.io(), [this, future = go_on.get_future().share()] {
     hub->on_join = [this] { hub->frames.clear(); };

@@ -86,7 +86,7 @@ class SubscriberTest : public testing::Test {
   std::unique_ptr<Subscriber> subscriber;
 };
 
-TEST_F(SubscriberTest, shows_what_the_hub_sends) {
+TEST_F(SubscriberTest, shows_the_frames_of_the_hub) {
   open();
   on_hub([](FakeHub& h) {
     h.say(roster_of_one());
@@ -100,7 +100,7 @@ TEST_F(SubscriberTest, shows_what_the_hub_sends) {
   EXPECT_EQ(room->sensors[0].picture->frame.depth_mm, DepthImage(kWidth, kHeight, 1234));
 }
 
-TEST_F(SubscriberTest, tells_the_hub_where_it_is_and_hears_of_the_others) {
+TEST_F(SubscriberTest, sends_its_pose_and_receives_those_of_others) {
   open();
   PersonPose own;
   own.world_from_head.translation_m = {1, 1.5, 2};
@@ -161,7 +161,7 @@ TEST_F(SubscriberTest, a_refusal_is_final) {
   EXPECT_EQ(subscriber->failure()->message, "the hub says: somebody else");
 }
 
-TEST_F(SubscriberTest, what_is_no_address_is_refused_at_once) {
+TEST_F(SubscriberTest, invalid_addresses_are_refused_at_once) {
   const auto opened = Subscriber::open({.hub_url = "ftp://x", .room = {}, .name = {}, .log = {}});
   ASSERT_FALSE(opened.ok());
   EXPECT_EQ(opened.error().code, ErrorCode::kInvalidArgument);

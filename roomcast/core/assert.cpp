@@ -7,7 +7,7 @@
 namespace roomcast {
 
 void assertion_failed(const char* condition, const char* file, int line) noexcept {
-  std::fprintf(stderr, "%s:%d: roomcast broke its own promise: %s\n", file, line, condition);
+  std::fprintf(stderr, "%s:%d: internal error of roomcast: %s is false\n", file, line, condition);
   std::abort();
 }
 

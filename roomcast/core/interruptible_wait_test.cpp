@@ -17,7 +17,7 @@ TEST(InterruptibleWait, ends_when_its_time_has_come) {
   EXPECT_TRUE(wait_for(0ms, {}));
 }
 
-TEST(InterruptibleWait, ends_at_once_when_it_is_asked_to) {
+TEST(InterruptibleWait, ends_at_once_on_a_stop_request) {
   bool waited_to_the_end = true;
   {
     std::jthread waits(
@@ -26,7 +26,7 @@ TEST(InterruptibleWait, ends_at_once_when_it_is_asked_to) {
   EXPECT_FALSE(waited_to_the_end);
 }
 
-TEST(InterruptibleWait, does_not_begin_where_it_was_asked_before) {
+TEST(InterruptibleWait, does_not_begin_after_a_stop_request) {
   std::stop_source asked;
   asked.request_stop();
   EXPECT_FALSE(wait_for(1h, asked.get_token()));

@@ -12,7 +12,7 @@ TEST(LogSink, may_be_empty) {
   EXPECT_FALSE(LogSink());
 }
 
-TEST(LogSink, hands_on_the_line_and_what_it_is_about) {
+TEST(LogSink, passes_on_the_line_and_its_subject) {
   std::string heard;
   const LogSink log = [&](LogLevel, std::string_view line, LogFields fields) {
     heard = line;
@@ -25,7 +25,7 @@ TEST(LogSink, hands_on_the_line_and_what_it_is_about) {
   EXPECT_EQ(heard, "nothing else");
 }
 
-TEST(LogSink, who_wants_the_line_only_gets_that) {
+TEST(LogSink, a_sink_for_text_gets_the_line_alone) {
   std::string heard;
   const LogSink log = [&](LogLevel, std::string_view line) { heard = line; };
   log(LogLevel::kWarning, "a line", {{"room", "lab"}});

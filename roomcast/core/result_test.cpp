@@ -20,7 +20,7 @@ TEST(Result, holds_a_value_or_an_error) {
   EXPECT_EQ(half(3).error().message, "odd");
 }
 
-TEST(Result, moves_what_cannot_be_copied) {
+TEST(Result, moves_values_that_cannot_be_copied) {
   Result<std::unique_ptr<int>> result(std::make_unique<int>(7));
   std::unique_ptr<int> taken = std::move(result).value();
   EXPECT_EQ(*taken, 7);
@@ -32,7 +32,7 @@ TEST(Result, status_is_ok_unless_given_an_error) {
 }
 
 TEST(ResultDeathTest, reading_the_wrong_side_is_a_broken_promise) {
-  EXPECT_DEATH((void)*half(3), "broke its own promise");
+  EXPECT_DEATH((void)*half(3), "internal error of roomcast");
 }
 
 }  // namespace

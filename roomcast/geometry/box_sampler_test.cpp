@@ -83,7 +83,7 @@ TEST(BoxSampler, boxes_larger_than_the_picture_are_reduced) {
   EXPECT_EQ(sample_at(box_sampler(100, 2, 2), picture, 0.5F, 0.5F), (Rgb8{7, 8, 9}));
 }
 
-TEST(BoxSampler, what_is_not_taken_is_black) {
+TEST(BoxSampler, unselected_positions_are_black) {
   const ColorImage picture(20, 20, {7, 8, 9});
   const float at[] = {3, 4};
   const std::uint8_t take[] = {0, 255};

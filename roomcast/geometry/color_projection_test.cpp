@@ -53,7 +53,7 @@ TEST(ColorProjection, agrees_with_the_camera_model_to_a_hundredth_of_a_pixel) {
   EXPECT_GT(compared, 512 * 30);
 }
 
-TEST(ColorProjection, what_is_outside_the_picture_or_has_no_depth_is_zero) {
+TEST(ColorProjection, pixels_outside_the_picture_or_without_depth_are_zero) {
   const ColorProjection projection(kinect_v2_like());
   const std::vector<std::uint16_t> depth_mm(512, 2000);
   Row row(512);

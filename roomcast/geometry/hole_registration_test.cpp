@@ -42,7 +42,7 @@ class HoleRegistrationTest : public testing::Test {
   RegisteredColor out;
 };
 
-TEST_F(HoleRegistrationTest, a_dark_thing_that_gives_no_reading_is_seen_where_the_wall_was) {
+TEST_F(HoleRegistrationTest, a_dark_object_without_readings_is_shown_in_its_own_colour) {
   lose(20, 15, 40, 35);
   paint(20, 15, 40, 35, kDark);
   see();
@@ -60,7 +60,7 @@ TEST_F(HoleRegistrationTest, the_same_wall_without_its_readings_keeps_its_color)
   EXPECT_EQ(registration->fresh().at(30, 25), 0);
 }
 
-TEST_F(HoleRegistrationTest, a_few_pixels_are_no_thing) {
+TEST_F(HoleRegistrationTest, a_few_pixels_are_no_object) {
   lose(20, 15, 23, 18);
   paint(20, 15, 23, 18, kDark);
   see();
@@ -68,7 +68,7 @@ TEST_F(HoleRegistrationTest, a_few_pixels_are_no_thing) {
   EXPECT_EQ(registration->fresh().at(21, 16), 0);
 }
 
-TEST_F(HoleRegistrationTest, the_wall_comes_back_when_the_thing_has_gone) {
+TEST_F(HoleRegistrationTest, the_wall_returns_when_the_object_has_gone) {
   lose(20, 15, 40, 35);
   paint(20, 15, 40, 35, kDark);
   see();
@@ -77,7 +77,7 @@ TEST_F(HoleRegistrationTest, the_wall_comes_back_when_the_thing_has_gone) {
   EXPECT_EQ(out.color.at(30, 25), kWall);
 }
 
-TEST_F(HoleRegistrationTest, what_stands_before_the_color_camera_only_is_not_taken_for_the_wall) {
+TEST_F(HoleRegistrationTest, an_object_before_the_color_camera_alone_is_not_taken_for_the_wall) {
   SensorCalibration apart = one_eye();
   apart.color_from_depth.translation_m.x() = 0.2;  // sees behind the edge of the near surface
   registration = HoleRegistration::create(apart);

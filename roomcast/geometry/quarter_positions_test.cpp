@@ -40,13 +40,13 @@ TEST_F(QuarterPositions, lie_a_quarter_of_a_step_beside_the_middle) {
   EXPECT_FLOAT_EQ(lower_.v[3], 22 + 0.5F);
 }
 
-TEST_F(QuarterPositions, at_the_border_the_one_neighbour_tells) {
+TEST_F(QuarterPositions, at_the_border_the_one_neighbour_decides) {
   find(0);
   EXPECT_FLOAT_EQ(upper_.u[0], 10 - 0.75F);
   EXPECT_FLOAT_EQ(lower_.v[7], 20 + 0.5F);
 }
 
-TEST_F(QuarterPositions, another_surface_beside_tells_nothing) {
+TEST_F(QuarterPositions, a_neighbour_on_another_surface_is_ignored) {
   z_m_[6] = 1.0F;  // right of the pixel; its projection is far off to the side
   u_[6] = 40;
   find(1);

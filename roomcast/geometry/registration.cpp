@@ -31,7 +31,7 @@ Status check_options(const RegistrationOptions& options) {
     }
   }
   if (options.color_scale != 1 && options.color_scale != 2) {
-    return invalid("colour has the resolution of depth or twice that");
+    return invalid("colour must have the resolution of depth or twice that");
   }
   return {};
 }
@@ -44,7 +44,7 @@ Status check_calibration(const SensorCalibration& calibration) {
     }
   }
   if (calibration.color_is_registered && !same_size(calibration.color, calibration.depth)) {
-    return invalid("colour that is registered to depth must have the size of depth");
+    return invalid("registered colour must have the size of depth");
   }
   return {};
 }
@@ -108,7 +108,7 @@ Result<Registration> Registration::create(const SensorCalibration& calibration,
   if (Status status = check_options(options); !status.ok()) return status.error();
   if (Status status = check_calibration(calibration); !status.ok()) return status.error();
   if (calibration.color_is_registered && options.color_scale != 1) {
-    return invalid("colour that comes registered to depth has its resolution and no more");
+    return invalid("registered colour must have the resolution of depth");
   }
   return Registration(calibration, options);
 }

@@ -64,7 +64,7 @@ void expect_refused(std::array<double, 16> numbers, const char* why) {
   EXPECT_EQ(transform.error().code, ErrorCode::kMalformed) << why;
 }
 
-TEST(RigidTransform, parsing_refuses_what_is_not_rigid) {
+TEST(RigidTransform, parsing_refuses_transforms_that_are_not_rigid) {
   const auto good = row_major_from_transform(some_transform());
   auto scaled = good;
   for (int i : {0, 1, 2, 4, 5, 6, 8, 9, 10}) scaled[static_cast<std::size_t>(i)] *= 1.01;

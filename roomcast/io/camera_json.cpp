@@ -60,7 +60,7 @@ void read_rig_form(const JsonFields& fields, RecordedCamera& camera) {
 Eigen::Vector3d read_vector(const JsonFields& fields, const char* field) {
   const std::vector<double> numbers = fields.numbers(field);
   if (numbers.size() == 3) return {numbers[0], numbers[1], numbers[2]};
-  fields.reject(field, "must hold 3 numbers");
+  fields.reject(field, "must be 3 numbers");
   return Eigen::Vector3d::Zero();
 }
 
@@ -72,7 +72,7 @@ Eigen::Matrix3d read_rotation(const JsonFields& fields, const char* field) {
       return rotation.normalized().toRotationMatrix();
     }
   }
-  fields.reject(field, "must hold the 4 numbers of a unit quaternion, x y z w");
+  fields.reject(field, "must be a unit quaternion, x y z w");
   return Eigen::Matrix3d::Identity();
 }
 

@@ -35,7 +35,7 @@ std::string changed(const std::function<void(json&)>& change) {
   return camera.dump();
 }
 
-TEST(CameraJson, what_is_written_is_read_back) {
+TEST(CameraJson, reads_back_its_own_output) {
   const SensorCalibration written = recording::small_calibration();
   const auto camera = read(camera_json_text(written));
   ASSERT_TRUE(camera.ok()) << camera.error().message;
@@ -140,7 +140,7 @@ TEST(CameraJson, names_the_field_that_is_wrong) {
   }
 }
 
-TEST(CameraJson, refuses_what_is_no_json_object) {
+TEST(CameraJson, refuses_input_other_than_a_json_object) {
   EXPECT_NE(refusal_of("{\"depth\": ").find("not valid JSON"), std::string::npos);
   EXPECT_NE(refusal_of("").find("not valid JSON"), std::string::npos);
   EXPECT_NE(refusal_of("[]").find("one JSON object"), std::string::npos);

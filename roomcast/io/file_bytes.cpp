@@ -43,7 +43,7 @@ Status read_file(const std::filesystem::path& path, std::size_t limit_bytes,
   if (size > limit_bytes) {
     return Error{ErrorCode::kTooLarge, path.string() + " has " + std::to_string(size) +
                                            " bytes; at most " + std::to_string(limit_bytes) +
-                                           " are read"};
+                                           " are allowed"};
   }
   File file(std::fopen(path.c_str(), "rb"));
   bytes.resize(static_cast<std::size_t>(size));

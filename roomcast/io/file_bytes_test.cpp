@@ -8,7 +8,7 @@
 namespace roomcast::io {
 namespace {
 
-TEST(FileBytes, what_is_written_is_read_back) {
+TEST(FileBytes, reads_back_its_own_output) {
   const TemporaryFolder folder;
   const std::vector<std::uint8_t> written = {1, 0, 255, 10};
   ASSERT_TRUE(write_file(folder / "a", written).ok());

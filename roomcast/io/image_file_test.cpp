@@ -84,7 +84,7 @@ TEST_F(ImageFile, colour_jpeg_comes_back_nearly) {
   }
 }
 
-TEST_F(ImageFile, content_tells_jpeg_from_png_whatever_the_name) {
+TEST_F(ImageFile, content_decides_between_jpeg_and_png) {
   ASSERT_TRUE(write_color_png(folder_ / "c.jpg", some_color()).ok());
   EXPECT_TRUE(reader_.read_color(folder_ / "c.jpg", kColorSize, color_).ok());
 }
@@ -132,8 +132,8 @@ TEST_F(ImageFile, pictures_of_another_size_are_refused) {
   ASSERT_TRUE(write_color_jpeg(folder_ / "c.jpg", ColorImage(64, 47), 90).ok());
   const Status status = reader_.read_depth(folder_ / "d.png", kDepthSize, depth_);
   ASSERT_FALSE(status.ok());
-  EXPECT_EQ(status.error().message, (folder_ / "d.png").string() +
-                                        " is refused: its size is not the one in the calibration");
+  EXPECT_EQ(status.error().message,
+            (folder_ / "d.png").string() + " is refused: its size differs from the calibration");
   EXPECT_FALSE(reader_.read_color(folder_ / "c.png", kColorSize, color_).ok());
   EXPECT_FALSE(reader_.read_color(folder_ / "c.jpg", kColorSize, color_).ok());
 }
@@ -147,7 +147,7 @@ TEST_F(ImageFile, colour_is_no_depth) {
   EXPECT_NE(status.error().message.find("16-bit grey"), std::string::npos);
 }
 
-TEST_F(ImageFile, a_header_that_promises_a_huge_picture_costs_nothing) {
+TEST_F(ImageFile, a_header_of_a_huge_picture_allocates_nothing) {
   ASSERT_TRUE(write_depth_png(folder_ / "d.png", some_depth()).ok());
   std::vector<std::uint8_t> bytes;
   ASSERT_TRUE(encode_depth_png(some_depth(), bytes).empty());
@@ -163,7 +163,7 @@ TEST_F(ImageFile, files_larger_than_any_picture_are_not_read) {
   expect_refused("large.png", ErrorCode::kTooLarge);
 }
 
-TEST_F(ImageFile, writing_where_it_cannot_be_says_so) {
+TEST_F(ImageFile, a_failed_write_is_reported) {
   const Status status = write_depth_png(folder_ / "none/d.png", some_depth());
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, ErrorCode::kUnavailable);

@@ -8,7 +8,7 @@
 namespace roomcast::io {
 namespace {
 
-constexpr const char* kNoMemory = "there is no memory for it";
+constexpr const char* kNoMemory = "there is not enough memory";
 
 int pitch_bytes(std::ptrdiff_t stride) {
   return static_cast<int>(stride * 3);
@@ -22,7 +22,7 @@ std::string decompress(tjhandle handle, std::span<const std::uint8_t> bytes,
     return tjGetErrorStr2(handle);
   }
   if (width != color.width || height != color.height) {
-    return "its size is not the one in the calibration";
+    return "its size differs from the calibration";
   }
   // Warnings are damage too: after the end of a truncated file libjpeg continues with grey.
   if (tjDecompress2(handle, bytes.data(), bytes.size(), &color.data->r, width,

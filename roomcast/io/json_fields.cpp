@@ -30,7 +30,7 @@ Result<json> read_json_object(const std::filesystem::path& path) {
     return Error{ErrorCode::kMalformed, path.string() + " is not valid JSON"};
   }
   if (!parsed.is_object()) {
-    return Error{ErrorCode::kMalformed, path.string() + " must hold one JSON object"};
+    return Error{ErrorCode::kMalformed, path.string() + " must be one JSON object"};
   }
   return parsed;
 }
@@ -131,7 +131,7 @@ std::vector<std::uint64_t> JsonFields::counts(const char* field, std::uint64_t l
   std::vector<std::uint64_t> counts;
   for (const double number : numbers(field)) {
     if (!(number >= 0) || number > static_cast<double>(largest) || number != std::floor(number)) {
-      reject(field, "must hold whole numbers from 0 to " + std::to_string(largest));
+      reject(field, "must be whole numbers from 0 to " + std::to_string(largest));
       return {};
     }
     counts.push_back(static_cast<std::uint64_t>(number));

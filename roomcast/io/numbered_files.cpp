@@ -38,7 +38,7 @@ Result<std::filesystem::path> next_free_path(const std::filesystem::path& folder
     if (!std::filesystem::exists(path, error)) return path;
   }
   return Error{ErrorCode::kUnavailable,
-               "the folder " + folder.string() + " is full; choose another one"};
+               "the folder " + folder.string() + " has no free file number; choose another one"};
 }
 
 }  // namespace roomcast::io

@@ -62,7 +62,7 @@ enum class Pixels { kDepth, kColor, kMask };
 void check_header(png_structp png, png_infop info, Pixels pixels, const Rows& rows) {
   if (png_get_image_width(png, info) != static_cast<png_uint_32>(rows.width) ||
       png_get_image_height(png, info) != static_cast<png_uint_32>(rows.height)) {
-    png_error(png, "its size is not the one in the calibration");
+    png_error(png, "its size differs from the calibration");
   }
   const bool grey16 =
       png_get_color_type(png, info) == PNG_COLOR_TYPE_GRAY && png_get_bit_depth(png, info) == 16;
@@ -98,7 +98,7 @@ bool read_picture(png_structp png, png_infop info, Unread* unread, Pixels pixels
   const int passes = png_set_interlace_handling(png);
   png_read_update_info(png, info);
   if (png_get_rowbytes(png, info) != rows.row_bytes)
-    png_error(png, "its pixels are of an odd kind");
+    png_error(png, "its pixel format is not supported");
   for (int pass = 0; pass < passes; ++pass) {
     for (int y = 0; y < rows.height; ++y) {
       png_read_row(png, rows.first + y * rows.stride_bytes, nullptr);
@@ -115,7 +115,7 @@ std::string decode(std::span<const std::uint8_t> bytes, Pixels pixels, const Row
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
   std::string problem;
   if (info == nullptr) {
-    problem = "there is no memory to read it";
+    problem = "there is not enough memory to read it";
   } else if (!read_picture(png, info, &unread, pixels, rows)) {
     problem = complaint.text;
   }
@@ -130,7 +130,7 @@ void write_bytes(png_structp png, png_bytep from, std::size_t count) {
   } catch (const std::bad_alloc&) {
     count = 0;
   }
-  if (count == 0) png_error(png, "there is no memory to write it");
+  if (count == 0) png_error(png, "there is not enough memory to write it");
 }
 void flush_nothing(png_structp /*png*/) {}
 
@@ -158,7 +158,7 @@ std::string encode(Pixels pixels, const Rows& rows, std::vector<std::uint8_t>& b
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
   std::string problem;
   if (info == nullptr) {
-    problem = "there is no memory to write it";
+    problem = "there is not enough memory to write it";
   } else if (!write_picture(png, info, &bytes, pixels, rows)) {
     problem = complaint.text;
   }

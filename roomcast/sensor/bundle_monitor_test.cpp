@@ -59,7 +59,7 @@ TEST(BundleMonitor, the_first_frames_make_a_bundle_and_it_holds) {
   EXPECT_FALSE(later.moved || later.bundle);
 }
 
-TEST(BundleMonitor, a_sensor_that_was_moved_says_so_and_makes_another_bundle) {
+TEST(BundleMonitor, a_moved_sensor_reports_it_and_makes_another_bundle) {
   Sensor sensor(alignment::corner_pose(2, 1.5));
   const auto first = sensor.news_of(kBundle).bundle;
   sensor.stand(alignment::corner_pose(1.9, 1.4));
@@ -72,7 +72,7 @@ TEST(BundleMonitor, a_sensor_that_was_moved_says_so_and_makes_another_bundle) {
   EXPECT_FALSE(sensor.news_of(60).moved) << "it stands where it stands now";
 }
 
-TEST(BundleMonitor, while_it_is_carried_about_there_is_no_bundle) {
+TEST(BundleMonitor, no_bundle_is_made_while_the_sensor_moves) {
   Sensor sensor(alignment::corner_pose(2, 1.5));
   EXPECT_TRUE(sensor.news_of(kBundle).bundle);
   double x = 2;
@@ -83,7 +83,7 @@ TEST(BundleMonitor, while_it_is_carried_about_there_is_no_bundle) {
   EXPECT_TRUE(sensor.news_of(2 * kBundle).bundle) << "it stands still again";
 }
 
-TEST(BundleMonitor, why_there_is_no_bundle_is_told_and_the_next_frames_may_do) {
+TEST(BundleMonitor, a_failed_bundle_gives_its_reason_and_is_tried_again) {
   Sensor sensor(alignment::corner_pose(2, 1.5));
   sensor.cover();
   EXPECT_FALSE(sensor.news_of(kBundle).bundle);

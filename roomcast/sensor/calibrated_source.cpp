@@ -17,7 +17,9 @@ class CalibratedSource final : public source::FrameSource {
     description_.calibration = camera.calibration;
   }
 
-  [[nodiscard]] const source::SensorDescription& description() const override { return description_; }
+  [[nodiscard]] const source::SensorDescription& description() const override {
+    return description_;
+  }
   [[nodiscard]] source::SourceHealth health() const override { return source_->health(); }
   [[nodiscard]] Result<bool> next(source::CapturedFrame& frame, std::stop_token stop) override {
     auto more = source_->next(frame, std::move(stop));
@@ -37,14 +39,14 @@ std::string size_text(const CameraIntrinsics& camera) {
 
 }  // namespace
 
-Result<std::unique_ptr<source::FrameSource>> with_calibration(std::unique_ptr<source::FrameSource> source,
-                                                      const std::filesystem::path& camera_json) {
+Result<std::unique_ptr<source::FrameSource>> with_calibration(
+    std::unique_ptr<source::FrameSource> source, const std::filesystem::path& camera_json) {
   auto camera = io::read_camera_json(camera_json);
   if (!camera) return camera.error();
   const SensorCalibration& own = source->description().calibration;
   const auto differs = [&](const char* what, const CameraIntrinsics& a, const CameraIntrinsics& b) {
-    return Error{ErrorCode::kInvalidArgument, camera_json.string() + " is about " + what + " of " +
-                                                  size_text(a) + " pixels, this source gives " +
+    return Error{ErrorCode::kInvalidArgument, camera_json.string() + " is for " + what + " of " +
+                                                  size_text(a) + " pixels, but this source gives " +
                                                   size_text(b)};
   };
   if (!same_size(camera->calibration.depth, own.depth))

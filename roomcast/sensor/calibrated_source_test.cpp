@@ -46,7 +46,7 @@ TEST_F(Calibrated, frames_come_with_the_files_cameras_and_corrected_depth) {
   EXPECT_FALSE(frame.color.empty());
 }
 
-TEST_F(Calibrated, a_file_about_another_camera_is_refused) {
+TEST_F(Calibrated, a_file_for_another_camera_is_refused) {
   camera_.calibration.color.width = 81;
   const auto refused = with_calibration(source(), write(camera_));
   EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);

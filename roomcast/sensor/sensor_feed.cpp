@@ -119,7 +119,7 @@ class SensorFeed::Worker {
   void complain(const std::string& reason) {
     if (reason == complaint_) return;
     complaint_ = reason;
-    if (log_) log_(LogLevel::kWarning, "this sensor cannot be placed by what it sees: " + reason);
+    if (log_) log_(LogLevel::kWarning, "this sensor cannot be aligned: " + reason);
   }
 
   Status send_captured() {

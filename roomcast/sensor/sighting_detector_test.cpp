@@ -46,12 +46,12 @@ class SightingDetectorTest : public testing::Test {
   RoomTime time_{1h};
 };
 
-TEST_F(SightingDetectorTest, nobody_asks_nobody_is_told) {
+TEST_F(SightingDetectorTest, without_a_request_it_reports_nothing) {
   sighting_detector.stand(alignment::bundle_fixture({}, "s0", kStand));
   EXPECT_EQ(heads_told(), 0);
 }
 
-TEST_F(SightingDetectorTest, heads_are_told_of_while_they_are_asked_for) {
+TEST_F(SightingDetectorTest, heads_are_reported_while_they_are_requested) {
   sighting_detector.stand(alignment::bundle_fixture({}, "s0", kStand));
   sighting_detector.want(heads());
   const int told = heads_told();
@@ -61,7 +61,7 @@ TEST_F(SightingDetectorTest, heads_are_told_of_while_they_are_asked_for) {
   EXPECT_EQ(heads_told(), 0);
 }
 
-TEST_F(SightingDetectorTest, a_sensor_that_was_moved_tells_nothing) {
+TEST_F(SightingDetectorTest, a_moved_sensor_reports_nothing) {
   sighting_detector.stand(alignment::bundle_fixture({}, "s0", kStand));
   sighting_detector.want(heads());
   sighting_detector.stand(std::nullopt);

@@ -81,14 +81,14 @@ Result<std::unique_ptr<source::FrameSource>> open_as_it_is(const std::string& te
   const Spec spec = split(text);
   if (spec.kind == "sim") {
     const auto index = sensor_index(spec.sensor);
-    if (!index) return invalid(text, "numbers its sensor wrongly");
+    if (!index) return invalid(text, "has an invalid sensor number");
     return simulator::open_simulated_source(spec.place, *index, simulated(options));
   }
   if (const source::CameraKind* kind = source::camera_kind(spec.kind))
     return open_kind(*kind, spec.place, options);
   const bool is_recording = spec.kind == "rig" || spec.kind == "tum" || spec.kind == "mcap";
-  if (!is_recording) return invalid(text, "names no kind of source");
-  if (spec.place.empty()) return invalid(text, "names no recording");
+  if (!is_recording) return invalid(text, "is not a source");
+  if (spec.place.empty()) return invalid(text, "lacks the name of a recording");
   const source::PlaybackOptions playback{.pace = options.pace, .loop = options.loop};
   if (spec.kind == "mcap") return recording::open_replay_source(spec.place, spec.sensor, playback);
   if (spec.kind == "rig") return recording::open_rig_source(spec.place, spec.sensor, playback);

@@ -33,7 +33,7 @@ TEST(SourceFactory, opens_a_single_recording) {
   expect_opens("tum:" + sensor.string(), "s0");
 }
 
-TEST(SourceFactory, a_kind_that_is_not_known_gets_the_list) {
+TEST(SourceFactory, an_error_for_an_unknown_kind_lists_all_kinds) {
   for (const char* spec : {"", "camera", "foo:bar", ":", "#", "RIG:x"}) {
     const auto source = open_source(spec);
     ASSERT_FALSE(source.ok()) << spec;

@@ -51,7 +51,7 @@ Result<pb::Control> decode_control(std::span<const std::uint8_t> message, Sender
     return Error{ErrorCode::kMalformed, "a control message is not valid Protobuf"};
   }
   if (message.size() > kMaxControlFromHubBytes && !control.has_calibration_bundle()) {
-    return Error{ErrorCode::kTooLarge, "only a calibration bundle may be so large"};
+    return Error{ErrorCode::kTooLarge, "only a calibration bundle may be this large"};
   }
   if (auto status = check_control(control); !status) return status.error();
   return control;

@@ -23,7 +23,7 @@ bool all_finite(Numbers... numbers) {
 
 Status check_fps(double fps) {
   if (!(fps > 0 && fps <= kMaxFps))
-    return malformed("a frame rate is more than 0 and at most 240 per second");
+    return malformed("a frame rate must be above 0 and at most 240 per second");
   return {};
 }
 
@@ -33,13 +33,13 @@ Status check_rigid(const google::protobuf::RepeatedField<double>& m, const char*
   const auto fault = [&](const char* reason) {
     return malformed(std::string(what) + " " + reason);
   };
-  if (m.size() != 16) return fault("has to have 16 numbers");
+  if (m.size() != 16) return fault("must have 16 numbers");
   for (const double number : m) {
     if (!std::isfinite(number) || std::abs(number) > kMaxPosition_m)
-      return fault("holds a number that makes no sense");
+      return fault("has a number out of range");
   }
   if (m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1)
-    return fault("has to end with the row 0 0 0 1");
+    return fault("must end with the row 0 0 0 1");
   const auto dot = [&](int a, int b) {
     return m[a] * m[b] + m[a + 4] * m[b + 4] + m[a + 8] * m[b + 8];
   };
@@ -47,13 +47,13 @@ Status check_rigid(const google::protobuf::RepeatedField<double>& m, const char*
   for (int a = 0; a < 3; ++a) {
     for (int b = a; b < 3; ++b) {
       if (std::abs(dot(a, b) - (a == b ? 1 : 0)) > kTolerance)
-        return fault("is not a rotation and a translation");
+        return fault("must be a rotation and a translation");
     }
   }
   const double determinant = m[0] * (m[5] * m[10] - m[6] * m[9]) -
                              m[1] * (m[4] * m[10] - m[6] * m[8]) +
                              m[2] * (m[4] * m[9] - m[5] * m[8]);
-  if (determinant < 0) return fault("mirrors: a rotation does not");
+  if (determinant < 0) return fault("must not mirror");
   return {};
 }
 
@@ -93,7 +93,7 @@ Status check_join(const pb::Join& join) {
   if (auto s = check_name(join.code(), "code"); !s) return s;
   if (join.token().size() > kMaxTokenBytes) {
     return Error{ErrorCode::kTooLarge,
-                 "a token has at most " + std::to_string(kMaxTokenBytes) + " bytes"};
+                 "a token must have at most " + std::to_string(kMaxTokenBytes) + " bytes"};
   }
   switch (join.role_case()) {
     case pb::Join::kSensor:
@@ -105,7 +105,7 @@ Status check_join(const pb::Join& join) {
     case pb::Join::ROLE_NOT_SET:
       break;
   }
-  return malformed("a Join says whether it is a sensor's, a viewer's or an aligner's");
+  return malformed("a Join must be a sensor's, a viewer's or an aligner's");
 }
 
 /// Whether a point (x, y, z in metres) is in the allowed range.
@@ -121,13 +121,12 @@ Status check_pose(const pb::Pose& pose) {
   const double norm2 =
       pose.qx() * pose.qx() + pose.qy() * pose.qy() + pose.qz() * pose.qz() + pose.qw() * pose.qw();
   if (!is_within_reach(pose)) return malformed("a pose is out of range");
-  if (!(std::abs(norm2 - 1) < 0.01))
-    return malformed("a pose's quaternion has to have unit length");
+  if (!(std::abs(norm2 - 1) < 0.01)) return malformed("a pose's quaternion must have unit length");
   return {};
 }
 
 Status check_viewer_pose(const pb::ViewerPose& pose) {
-  if (!pose.has_head()) return malformed("a viewer's pose has a head");
+  if (!pose.has_head()) return malformed("a viewer's pose needs a head");
   for (const pb::Pose* part : {&pose.head(), pose.has_left_hand() ? &pose.left_hand() : nullptr,
                                pose.has_right_hand() ? &pose.right_hand() : nullptr}) {
     if (part == nullptr) continue;
@@ -142,37 +141,39 @@ Status check_viewer_pose(const pb::ViewerPose& pose) {
 Status check_note(const std::string& note) {
   if (note.size() > kMaxNoteBytes) {
     return Error{ErrorCode::kTooLarge,
-                 "a note has at most " + std::to_string(kMaxNoteBytes) + " bytes"};
+                 "a note must have at most " + std::to_string(kMaxNoteBytes) + " bytes"};
   }
   return {};
 }
 
 Status check_expected_error(float error_mm) {
-  if (!(error_mm >= 0 && std::isfinite(error_mm))) return malformed("an error is 0 mm or more");
+  if (!(error_mm >= 0 && std::isfinite(error_mm)))
+    return malformed("an error must be 0 mm or more");
   return {};
 }
 
 Status check_sensor_id(std::uint32_t id) {
-  if (id > std::numeric_limits<std::uint16_t>::max()) return malformed("a sensor's id has 16 bits");
+  if (id > std::numeric_limits<std::uint16_t>::max())
+    return malformed("a sensor's ID must have at most 16 bits");
   return {};
 }
 
 Status check_bundle(const pb::CalibrationBundle& bundle) {
   if (auto s = check_sensor_id(bundle.sensor_id()); !s) return s;
-  if (bundle.depth().empty()) return malformed("a calibration bundle has depth");
+  if (bundle.depth().empty()) return malformed("a calibration bundle needs depth");
   if (bundle.up().empty()) return {};
-  if (bundle.up_size() != 3) return malformed("up has 3 numbers");
+  if (bundle.up_size() != 3) return malformed("up must be 3 numbers");
   const double norm2 =
       bundle.up(0) * bundle.up(0) + bundle.up(1) * bundle.up(1) + bundle.up(2) * bundle.up(2);
-  if (!(std::abs(norm2 - 1) < 0.01)) return malformed("up has unit length");
+  if (!(std::abs(norm2 - 1) < 0.01)) return malformed("up must have unit length");
   return {};
 }
 
 Status check_sightings(const pb::Sightings& sightings) {
   if (auto s = check_sensor_id(sightings.sensor_id()); !s) return s;
   if (sightings.heads_size() > kMaxSightings || sightings.tags_size() > kMaxSightings) {
-    return Error{ErrorCode::kTooLarge,
-                 "a message has at most " + std::to_string(kMaxSightings) + " sightings of a kind"};
+    return Error{ErrorCode::kTooLarge, "a message must have at most " +
+                                           std::to_string(kMaxSightings) + " sightings of a kind"};
   }
   const auto in_range = [](float metres) { return std::abs(metres) <= kMaxPosition_m; };
   for (const auto& head : sightings.heads()) {
@@ -180,7 +181,7 @@ Status check_sightings(const pb::Sightings& sightings) {
       return malformed("a head is out of range");
   }
   for (const auto& tag : sightings.tags()) {
-    if (tag.corners_size() != 12) return malformed("a tag has four corners of three numbers");
+    if (tag.corners_size() != 12) return malformed("a tag needs four corners of three numbers");
     if (!std::ranges::all_of(tag.corners(), in_range)) return malformed("a tag is out of range");
   }
   return {};
@@ -193,7 +194,7 @@ Status check_nudge(const pb::Nudge& nudge) {
 
 Status check_placements(const pb::Placements& placements) {
   if (placements.sensors_size() > int{kMaxSensors}) {
-    return Error{ErrorCode::kTooLarge, "more placements than a room holds sensors"};
+    return Error{ErrorCode::kTooLarge, "there are more placements than sensors in a room"};
   }
   for (const auto& sensor : placements.sensors()) {
     if (auto s = check_sensor_id(sensor.sensor_id()); !s) return s;
@@ -214,7 +215,8 @@ Status check_viewer_names(const google::protobuf::RepeatedPtrField<pb::ViewerEnt
 
 Status check_roster(const pb::Roster& roster) {
   if (roster.sensors_size() > int{kMaxSensors} || roster.viewers_size() > int{kMaxViewers}) {
-    return Error{ErrorCode::kTooLarge, "a roster lists more sensors or viewers than a room holds"};
+    return Error{ErrorCode::kTooLarge,
+                 "a roster lists more sensors or viewers than a room may have"};
   }
   for (const auto& sensor : roster.sensors()) {
     if (auto s = check_sensor_id(sensor.id()); !s) return s;
@@ -236,7 +238,7 @@ Status check_welcome(const pb::Welcome& welcome) {
 
 Status check_viewer_poses(const pb::ViewerPoses& message) {
   if (message.poses_size() > int{kMaxViewers}) {
-    return Error{ErrorCode::kTooLarge, "more poses than a room holds viewers"};
+    return Error{ErrorCode::kTooLarge, "there are more poses than viewers in a room"};
   }
   for (const auto& pose : message.poses()) {
     if (auto s = check_viewer_pose(pose); !s) return s;
@@ -246,35 +248,36 @@ Status check_viewer_poses(const pb::ViewerPoses& message) {
 
 Status check_stats(const pb::ViewerStats& stats) {
   if (!all_finite(stats.shown_fps(), stats.latency_ms()))
-    return malformed("a viewer's statistics are finite numbers");
+    return malformed("a viewer's statistics must be finite numbers");
   return {};
 }
 
 Status check_other_hubs(const pb::OtherHubs& message) {
   if (message.urls_size() > kMaxOtherHubs) {
-    return Error{ErrorCode::kTooLarge, "more other hubs than a client needs"};
+    return Error{ErrorCode::kTooLarge, "there are too many other hubs"};
   }
   for (const std::string& url : message.urls()) {
     const bool is_plain =
         std::ranges::all_of(url, [](unsigned char c) { return c > 0x20 && c < 0x7f; });
-    if (!is_plain || url.size() > kMaxUrlBytes) return malformed("a hub's address is a short URL");
+    if (!is_plain || url.size() > kMaxUrlBytes)
+      return malformed("a hub's address must be a short URL");
   }
   return {};
 }
 
 Status check_people_here(const pb::PeopleHere& message) {
   if (message.people_size() > kMaxPeopleHere) {
-    return Error{ErrorCode::kTooLarge, "more people than one hub may tell another of"};
+    return Error{ErrorCode::kTooLarge, "there are more people than one hub may report to another"};
   }
   return check_viewer_names(message.people());
 }
 
 Status check_revoked_tokens(const pb::RevokedTokens& message) {
   if (message.tokens_size() > kMaxRevokedTokens) {
-    return Error{ErrorCode::kTooLarge, "more revoked tokens than fit into a message"};
+    return Error{ErrorCode::kTooLarge, "there are more revoked tokens than a message may have"};
   }
   for (const auto& token : message.tokens()) {
-    if (token.id().empty()) return malformed("a token has an id");
+    if (token.id().empty()) return malformed("a revoked token needs an ID");
     for (const std::string* text : {&token.id(), &token.room(), &token.role()}) {
       if (auto s = check_name(*text, "token"); !s) return s;
     }

@@ -155,7 +155,7 @@ TEST(ControlCheck, a_roster_is_bounded_and_its_entries_are_checked) {
   EXPECT_FALSE(check_control(control).ok());
 }
 
-TEST(ControlCheck, what_hubs_tell_each_other_of_people_and_tokens_is_bounded_and_checked) {
+TEST(ControlCheck, presence_and_revocations_between_hubs_are_bounded_and_checked) {
   pb::Control people;
   auto& here = *people.mutable_people_here();
   for (int i = 0; i < kMaxPeopleHere; ++i) here.add_people()->set_name("Ada");

@@ -21,7 +21,7 @@ std::vector<std::uint8_t> message_of(const pb::Control& control) {
   return message;
 }
 
-TEST(Control, what_was_written_is_read) {
+TEST(Control, decoding_reverses_encoding) {
   const auto message = message_of(ping(77));
   EXPECT_EQ(*message_type(message), MessageType::kControl);
   const auto control = decode_control(message, Sender::kClient);
@@ -29,7 +29,7 @@ TEST(Control, what_was_written_is_read) {
   EXPECT_EQ(control->clock_ping().client_ns(), 77u);
 }
 
-TEST(Control, encoding_appends_after_what_is_there) {
+TEST(Control, encoding_appends_to_the_buffer) {
   std::vector<std::uint8_t> bytes = {1, 2, 3};
   encode_control(ping(1), bytes);
   EXPECT_EQ(bytes[0], 1);
@@ -75,7 +75,7 @@ TEST(Control, the_hub_has_a_limit_too) {
   EXPECT_FALSE(decode_control(message_of(control), Sender::kHub).ok());
 }
 
-TEST(Control, only_bundles_are_large_and_only_for_those_who_have_to_do_with_them) {
+TEST(Control, only_bundles_are_large_and_only_for_sensors_and_aligners) {
   pb::Control bundle;
   bundle.mutable_calibration_bundle()->set_depth(std::string(kMaxControlFromHubBytes, 'x'));
   EXPECT_TRUE(decode_control(message_of(bundle), Sender::kSensor).ok());

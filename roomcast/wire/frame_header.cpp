@@ -59,7 +59,7 @@ Result<MessageType> message_type(std::span<const std::uint8_t> message) {
   }
   if (message[2] != kVersion) {
     return Error{ErrorCode::kUnsupported, "roomcast version " + std::to_string(message[2]) +
-                                              " is not understood here, only version 1"};
+                                              " is not supported, only version 1"};
   }
   const auto type = static_cast<MessageType>(message[3]);
   if (type != MessageType::kFrame && type != MessageType::kControl) {

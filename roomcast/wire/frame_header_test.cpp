@@ -32,7 +32,7 @@ std::vector<std::uint8_t> framed(const FrameHeader& header) {
   return message;
 }
 
-TEST(FrameHeader, what_was_written_is_read) {
+TEST(FrameHeader, decoding_reverses_encoding) {
   const auto parsed = parse_frame(framed(some_header()));
   ASSERT_TRUE(parsed.ok()) << parsed.error().message;
   EXPECT_EQ(*parsed, some_header());

@@ -53,7 +53,7 @@ void expect_limits(const SendingLimits& limits, double messages_per_s, double me
   EXPECT_EQ(limits.bytes_at_once, bytes_at_once);
 }
 
-TEST(Limits, of_what_each_role_may_send_are_those_of_the_spec) {
+TEST(Limits, per_role_are_those_of_the_spec) {
   expect_limits(kMaxFromSensor, 1000, 2000, 64e6, 128e6);
   expect_limits(kMaxFromViewer, 300, 1200, 256e3, 1e6);
   expect_limits(kMaxFromHub, 300, 1200, 1e6, 4e6);

@@ -15,7 +15,7 @@ SensorCalibration some_calibration() {
   return calibration;
 }
 
-TEST(CalibrationMessage, what_was_written_is_read) {
+TEST(CalibrationMessage, decoding_reverses_encoding) {
   const auto calibration = some_calibration();
   const auto read = calibration_from_message(message_from_calibration(calibration));
   ASSERT_TRUE(read.ok()) << read.error().message;

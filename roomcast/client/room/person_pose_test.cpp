@@ -34,7 +34,7 @@ TEST(PersonPose, a_pose_that_was_sent_is_the_pose_that_arrives) {
   EXPECT_TRUE(arrived.pointer->to_m.isApprox(sent.pointer->to_m, kFloatRounding));
 }
 
-TEST(PersonPose, what_is_sent_follows_the_rules_of_the_wire) {
+TEST(PersonPose, a_sent_pose_obeys_the_rules_of_the_wire) {
   PersonPose pose;
   pose.world_from_head = turned(3.1, {0, 0, 0});
   pose.world_from_left_hand = turned(1, {5, 5, 5});

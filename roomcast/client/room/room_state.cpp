@@ -111,7 +111,7 @@ Result<RoomState::FrameOutcome> RoomState::frame(std::span<const std::uint8_t> m
   const auto sensor = std::find_if(room_.sensors.begin(), room_.sensors.end(),
                                    [&](const RoomSensor& s) { return s.id == header->sensor; });
   if (sensor == room_.sensors.end()) {
-    return Error{ErrorCode::kMalformed, "a frame came of a sensor that is not in the roster"};
+    return Error{ErrorCode::kMalformed, "a frame names a sensor that is not in the roster"};
   }
   const HostTime received = clock_.now();
   room_.bytes_received += message.size();

@@ -107,7 +107,7 @@ wire::pb::ViewerPoses poses_of(unsigned viewer, float x) {
   return poses;
 }
 
-TEST(RoomState, knows_what_the_hub_lets_it_keep_as_of_the_last_welcome) {
+TEST(RoomState, knows_its_rights_from_the_last_welcome) {
   const SteadyClock clock;
   RoomState room(clock);
   EXPECT_FALSE(room.snapshot()->rights.may_record);
@@ -137,7 +137,7 @@ TEST_F(RoomStateTest, people_are_those_of_the_roster_at_their_newest_poses) {
   EXPECT_EQ(room->people[1].pose->world_from_head.translation_m.x(), 3);
 }
 
-TEST_F(RoomStateTest, without_a_connection_nobody_is_known_to_be_there) {
+TEST_F(RoomStateTest, without_a_connection_it_lists_no_people) {
   ASSERT_TRUE(state.roster(roster_with({7})).ok());
   state.disconnected("the hub has gone");
   EXPECT_TRUE(state.snapshot()->people.empty());
@@ -205,7 +205,7 @@ TEST_F(RoomStateTest, a_damaged_payload_asks_for_a_key_frame_and_later_frames_wa
             RoomState::FrameOutcome::kSetComplete);
 }
 
-TEST_F(RoomStateTest, frames_of_sensors_that_nobody_announced_are_refused) {
+TEST_F(RoomStateTest, frames_of_unannounced_sensors_are_refused) {
   EXPECT_FALSE(state.frame(sensor.message(header_of(9, 0), depth_picture(0))).ok());
 }
 

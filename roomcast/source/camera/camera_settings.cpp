@@ -8,7 +8,7 @@ Status CameraSettings::check() const {
     return Error{ErrorCode::kInvalidArgument, "the trigger delay must be 0 to 1000000 us"};
   if (trigger_delay.count() > 0 && sync != SyncRole::kSecondary) {
     return Error{ErrorCode::kInvalidArgument,
-                 "a trigger delay is for a secondary camera, which waits for the primary's beat"};
+                 "a trigger delay is for a secondary camera; add --sync secondary"};
   }
   return {};
 }

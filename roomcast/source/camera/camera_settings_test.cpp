@@ -9,7 +9,7 @@ namespace {
 
 using std::chrono::microseconds;
 
-TEST(CameraSettings, a_delay_needs_a_beat_to_be_late_for) {
+TEST(CameraSettings, a_trigger_delay_needs_the_secondary_role) {
   CameraSettings settings;
   EXPECT_TRUE(settings.check().ok());
   settings.trigger_delay = microseconds(160);
@@ -29,7 +29,7 @@ TEST(CameraSettings, a_delay_is_neither_negative_nor_longer_than_a_second) {
   EXPECT_FALSE(settings.check().ok());
 }
 
-TEST(CameraSettings, what_a_camera_cannot_do_is_refused_by_name) {
+TEST(CameraSettings, settings_beyond_a_cameras_capabilities_are_refused_by_name) {
   const CameraAbilities none;
   const auto refusal = [&](const CameraSettings& settings) {
     return check_abilities("freenect", none, settings).error().message;
@@ -42,7 +42,7 @@ TEST(CameraSettings, what_a_camera_cannot_do_is_refused_by_name) {
   EXPECT_THAT(check_abilities("x", wired, late).error().message, testing::HasSubstr("trigger"));
 }
 
-TEST(CameraSettings, nothing_asked_is_never_refused_nor_is_what_the_camera_can) {
+TEST(CameraSettings, supported_settings_and_defaults_are_accepted) {
   EXPECT_TRUE(check_abilities("x", {}, {}).ok());
   const CameraAbilities all{true, true, true, true};
   const CameraSettings every{true, true, SyncRole::kSecondary, microseconds(160)};

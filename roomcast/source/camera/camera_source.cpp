@@ -79,7 +79,7 @@ Status CameraSource::take_pictures() {
   unpaired_ = pairing_.unpaired_count();
   if (!status) return status;
   if (SteadyClock().now() - last_picture_at_ > options_.silence)
-    return Error{ErrorCode::kUnavailable, "it gives no pictures any more"};
+    return Error{ErrorCode::kUnavailable, "it has stopped sending pictures"};
   return {};
 }
 

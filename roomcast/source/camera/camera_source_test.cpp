@@ -135,7 +135,7 @@ TEST_F(CameraAtWork, waiting_for_a_frame_ends_when_asked_to_stop) {
   EXPECT_FALSE(*more);
 }
 
-TEST_F(CameraAtWork, what_it_cannot_do_is_refused_before_it_is_opened) {
+TEST_F(CameraAtWork, unsupported_settings_are_refused_before_it_is_opened) {
   CameraSourceOptions white_balance;
   white_balance.settings.lock_white_balance = true;
   const auto refused = CameraSource::open(backend_, "0", white_balance);

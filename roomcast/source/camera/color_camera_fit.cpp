@@ -77,7 +77,7 @@ double rms_px(const SensorCalibration& cameras, const std::vector<MappedPoint>& 
 
 Result<SensorCalibration> fit_color_camera(const SensorCalibration& start,
                                            const std::vector<MappedPoint>& points) {
-  const Error no_camera{ErrorCode::kMalformed, "no colour camera does what the device says"};
+  const Error no_camera{ErrorCode::kMalformed, "the device's calibration fits no colour camera"};
   if (points.size() < kFewestMappedPoints) return no_camera;
   Unknowns x = unknowns_of(start);
   for (int round = 0; round < kRounds; ++round) x = improved(start, x, points);

@@ -59,7 +59,7 @@ TEST(TickCounter, wraps_around_without_a_leap) {
   EXPECT_EQ(after - before, nanoseconds(1600));  // 96 ticks of 60 MHz
 }
 
-TEST(TickCounter, a_small_step_back_is_no_round) {
+TEST(TickCounter, a_small_step_back_is_no_wrap_around) {
   TickCounter counter(32, 1e9);
   (void)counter.time(1000);
   EXPECT_EQ(counter.time(900), nanoseconds(900));

@@ -49,7 +49,7 @@ TEST_F(Pairing, pictures_further_apart_than_half_a_period_are_not_paired) {
   EXPECT_THAT(pairs_, testing::ElementsAre(Pair{1, 2, milliseconds(117)}));
 }
 
-TEST_F(Pairing, depth_whose_colour_was_lost_is_counted) {
+TEST_F(Pairing, depth_without_colour_is_counted) {
   depth(1, 100), depth(2, 133), color(2, 140);
   EXPECT_THAT(pairs_, testing::ElementsAre(Pair{2, 2, milliseconds(133)}));
   EXPECT_EQ(pairing_.unpaired_count(), 1U);
@@ -60,7 +60,7 @@ TEST_F(Pairing, a_colour_picture_is_used_once) {
   EXPECT_EQ(pairs_.size(), 1U);
 }
 
-TEST_F(Pairing, what_waited_before_a_camera_was_lost_is_not_paired_with_what_comes_after) {
+TEST_F(Pairing, frames_from_before_a_disconnect_are_not_paired_with_later_ones) {
   depth(1, 100);
   pairing_.forget();
   color(2, 101);

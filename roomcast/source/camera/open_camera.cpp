@@ -37,15 +37,16 @@ Result<CameraInfo> choose_camera(const std::vector<CameraInfo>& cameras, const s
   const auto index = position(place);
   if (index && *index < cameras.size()) return cameras[*index];
   if (cameras.empty()) {
-    return Error{ErrorCode::kNotFound, "no " + kind +
-                                           " camera is plugged in, or it has no power; roomcast "
-                                           "devices shows what there is"};
+    return Error{
+        ErrorCode::kNotFound,
+        "no " + kind +
+            " camera was found; check its cable and power, roomcast devices lists cameras"};
   }
   std::string known;
   for (const CameraInfo& camera : cameras)
     known += (known.empty() ? "" : ", ") + (camera.serial.empty() ? camera.place : camera.serial);
   return Error{ErrorCode::kNotFound,
-               "no " + kind + " camera \"" + place + "\" is plugged in, only " + known};
+               "no " + kind + " camera \"" + place + "\" was found, only " + known};
 }
 
 Result<std::unique_ptr<Camera>> open_camera(CameraBackend& backend, const std::string& place,

@@ -18,7 +18,7 @@ TEST(ChooseCamera, by_position_serial_number_or_place) {
   EXPECT_EQ(choose_camera(kTwo, "x", "port-b")->place, "port-b");
 }
 
-TEST(ChooseCamera, one_that_is_not_there_is_answered_with_what_is) {
+TEST(ChooseCamera, an_error_for_a_missing_one_lists_those_present) {
   for (const char* place : {"2", "A004", "port-c", "-1", "0x0"}) {
     const auto chosen = choose_camera(kTwo, "x", place);
     ASSERT_FALSE(chosen.ok()) << place;
@@ -41,7 +41,7 @@ class Stubborn final : public ScriptedBackend {
   }
 };
 
-TEST(OpenCamera, says_what_is_in_the_way_rather_than_what_the_library_calls_it) {
+TEST(OpenCamera, errors_state_the_cause_instead_of_the_librarys_message) {
   Stubborn backend;
   EXPECT_EQ(open_camera(backend, "", {}).error().message, "it is in a USB 2 port");
 }

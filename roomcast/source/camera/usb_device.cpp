@@ -93,7 +93,8 @@ std::vector<UsbCamera> usb_cameras(const fs::path& usb_devices, const fs::path& 
 std::optional<Error> obstacle(const UsbCamera& camera) {
   if (::access(camera.node.c_str(), R_OK | W_OK) != 0) {
     return Error{ErrorCode::kUnavailable,
-                 "this user may not open the " + camera.model + " at " + camera.node.string() +
+                 "this user has no permission to open the " + camera.model + " at " +
+                     camera.node.string() +
                      ": copy packaging/udev/60-roomcast-cameras.rules to /etc/udev/rules.d, run "
                      "\"udevadm control --reload\" as root and plug the camera in again"};
   }

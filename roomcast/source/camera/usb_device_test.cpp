@@ -41,7 +41,7 @@ class Usb : public testing::Test {
   const TemporaryFolder root_;
 };
 
-TEST_F(Usb, depth_cameras_are_told_from_everything_else) {
+TEST_F(Usb, recognises_depth_cameras_among_usb_devices) {
   plug_in("1-1", "045e", "02ae", "480", 3);
   plug_in("1-2", "046d", "c31c", "1.5", 4);  // a keyboard
   ASSERT_EQ(cameras().size(), 1U);
@@ -51,7 +51,7 @@ TEST_F(Usb, depth_cameras_are_told_from_everything_else) {
   EXPECT_FALSE(obstacle(cameras()[0]));
 }
 
-TEST_F(Usb, a_camera_that_this_user_may_not_open_says_what_to_install) {
+TEST_F(Usb, missing_permissions_name_the_file_to_install) {
   plug_in("1-1", "045e", "02ae", "480", 3);
   fs::remove(root_ / "dev/001/003");  // deleted, because root may open any existing file
   const auto found = obstacle_of_kind(cameras(), "freenect");

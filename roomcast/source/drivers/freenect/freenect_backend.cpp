@@ -36,7 +36,7 @@ using Device = std::unique_ptr<freenect_device, CloseDevice>;
 Result<Context> start_library() {
   freenect_context* context = nullptr;
   if (freenect_init(&context, nullptr) < 0)
-    return Error{ErrorCode::kUnavailable, "libfreenect does not start: there is no USB here"};
+    return Error{ErrorCode::kUnavailable, "libfreenect does not start: this machine has no USB"};
   freenect_set_log_level(context, FREENECT_LOG_FATAL);
   freenect_select_subdevices(context, FREENECT_DEVICE_CAMERA);
   return Context(context);
@@ -108,7 +108,7 @@ class Kinect final : public Camera {
         (!white_balance || keep(FREENECT_AUTO_WHITE_BALANCE))) {
       return {};
     }
-    return Error{ErrorCode::kUnsupported, "this Kinect does not let its colours be locked"};
+    return Error{ErrorCode::kUnsupported, "this Kinect cannot lock its colours"};
   }
 
  private:

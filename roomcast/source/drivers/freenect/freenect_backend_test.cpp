@@ -41,7 +41,7 @@ class ReplayedKinect : public testing::Test {
   std::shared_ptr<CameraBackend> backend_ = freenect_backend();
 };
 
-TEST_F(ReplayedKinect, is_listed_with_its_serial_number_and_what_it_can_do) {
+TEST_F(ReplayedKinect, is_listed_with_its_serial_number_and_capabilities) {
   const auto cameras = backend_->list();
   ASSERT_TRUE(cameras.ok()) << cameras.error().message;
   ASSERT_EQ(cameras->size(), 1U);

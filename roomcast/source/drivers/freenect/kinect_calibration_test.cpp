@@ -46,7 +46,7 @@ SensorCalibration some_kinect() {
   return truth;
 }
 
-TEST(KinectCalibration, cameras_are_found_that_do_what_the_tables_say) {
+TEST(KinectCalibration, fitted_cameras_reproduce_the_tables) {
   const SensorCalibration truth = some_kinect();
   const auto found = kinect_calibration({}, Unfolded(truth).map());
   ASSERT_TRUE(found.ok()) << found.error().message;

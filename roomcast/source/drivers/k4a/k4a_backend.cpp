@@ -86,8 +86,8 @@ class AzureKinect final : public Camera {
         k4a_device_start_cameras(device_.get(), &configuration) == K4A_RESULT_SUCCEEDED;
     if (!started) {
       return Error{ErrorCode::kUnavailable,
-                   "the camera does not start: it needs USB 3 of its own, and the depth engine of "
-                   "its maker"};
+                   "the camera does not start: it needs a USB 3 controller of its own and its "
+                   "maker's depth engine"};
     }
     description_.calibration = k4a_calibration(calibration);
     return {};
@@ -124,7 +124,7 @@ class AzureKinect final : public Camera {
         (!white_balance || keep(K4A_COLOR_CONTROL_WHITEBALANCE))) {
       return {};
     }
-    return Error{ErrorCode::kUnsupported, "this camera does not let its colours be locked"};
+    return Error{ErrorCode::kUnsupported, "this camera cannot lock its colours"};
   }
 
  private:

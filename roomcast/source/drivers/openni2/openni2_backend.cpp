@@ -33,8 +33,7 @@ class OpenNi2Camera final : public Camera {
   }
 
   [[nodiscard]] Status wait(FramePairing& pictures, std::chrono::milliseconds patience) override {
-    if (device_->is_gone())
-      return Error{ErrorCode::kUnavailable, "OpenNI says that it was unplugged"};
+    if (device_->is_gone()) return Error{ErrorCode::kUnavailable, "it was unplugged"};
     const auto is_depth = device_->bell().wait(patience);
     if (!is_depth) return after_silence(patience);
     silence_ = silence_.zero();

@@ -134,7 +134,7 @@ TEST_F(OpenNi2, a_recorded_file_plays_to_its_end) {
   EXPECT_GE(frames, 3);  // more than were read, if the camera was faster
 }
 
-TEST_F(OpenNi2, a_file_that_is_not_there_or_is_none_says_so) {
+TEST_F(OpenNi2, a_missing_or_invalid_file_is_named) {
   const auto open_file = [&](const fs::path& file) {
     return CameraSource::open(backend_, file, {}).error();
   };

@@ -110,7 +110,7 @@ Status OpenNi2Device::lock_color(bool exposure, bool white_balance) {
       (!exposure || settings->setAutoExposureEnabled(false) == openni::STATUS_OK) &&
       (!white_balance || settings->setAutoWhiteBalanceEnabled(false) == openni::STATUS_OK);
   if (locked) return {};
-  return Error{ErrorCode::kUnsupported, "this device does not let its colours be locked"};
+  return Error{ErrorCode::kUnsupported, "this device cannot lock its colours"};
 }
 
 }  // namespace roomcast::source

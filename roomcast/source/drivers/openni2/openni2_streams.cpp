@@ -61,10 +61,10 @@ Status make_openni2_stream(openni::Device& device, openni::SensorType sensor,
   openni::VideoMode mode;
   if (info == nullptr || !best_mode(*info, mode)) {
     return Error{ErrorCode::kUnsupported,
-                 std::string("this device has no ") + what + " that roomcast knows how to read"};
+                 std::string("this device has no ") + what + " in a format that roomcast can read"};
   }
   if (stream.create(device, sensor) != openni::STATUS_OK) {
-    return Error{ErrorCode::kUnavailable, std::string("the device gives no ") + what +
+    return Error{ErrorCode::kUnavailable, std::string("the device sends no ") + what +
                                               " stream: " + openni::OpenNI::getExtendedError()};
   }
   if (!device.isFile()) {

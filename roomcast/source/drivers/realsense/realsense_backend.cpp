@@ -66,7 +66,7 @@ class RealSense final : public Camera {
   [[nodiscard]] const CameraDescription& description() const override { return description_; }
 
   [[nodiscard]] Status wait(FramePairing& pictures, std::chrono::milliseconds patience) override {
-    if (is_lost_) return Error{ErrorCode::kUnavailable, "librealsense says it was unplugged"};
+    if (is_lost_) return Error{ErrorCode::kUnavailable, "it was unplugged"};
     try {
       rs2::frameset frames;
       if (!pipeline_.try_wait_for_frames(&frames, static_cast<unsigned>(patience.count())))
