@@ -250,13 +250,13 @@ TEST(House, every_source_is_used_by_a_test_of_its_wing) {
   EXPECT_THAT(untested(read_cpp_files(ROOMCAST_SOURCE_DIR, kTestedFolders)), testing::IsEmpty());
 }
 
-TEST(House, nothing_between_sensor_and_viewer_asks_the_time_of_day) {
+TEST(House, no_code_between_sensor_and_viewer_uses_the_time_of_day) {
   const auto files = read_cpp_files(ROOMCAST_SOURCE_DIR, kTimelessFolders);
   EXPECT_GT(files.size(), 10u);
   for (const SourceFile& file : files) EXPECT_FALSE(asks_the_time_of_day(file)) << file.path;
 }
 
-TEST(House, notices_who_asks_the_time_of_day) {
+TEST(House, notices_a_use_of_the_time_of_day) {
   EXPECT_TRUE(
       asks_the_time_of_day({"a.cpp", "const auto now = std::chrono::system_clock::now();"}));
   EXPECT_FALSE(
@@ -275,7 +275,7 @@ TEST(House, notices_a_source_that_no_test_uses) {
   EXPECT_TRUE(untested({source, other, own}).empty());
 }
 
-TEST(House, finds_the_test_of_what_lies_behind_another_source) {
+TEST(House, finds_the_test_of_a_source_behind_another_one) {
   const SourceFile inner{"roomcast/core/inner.cpp", "#include \"roomcast/core/inner.h\"\n"};
   const SourceFile outer{
       "roomcast/core/outer.cpp",

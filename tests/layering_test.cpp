@@ -423,7 +423,7 @@ TEST(Layering, finds_a_folder_without_a_row) {
               testing::ElementsAre(testing::HasSubstr("no row in the table")));
 }
 
-TEST(Layering, lets_a_test_use_more_than_what_it_tests) {
+TEST(Layering, lets_a_test_use_more_than_its_layer) {
   const std::string text = "#include \"roomcast/simulator/simulated_room.h\"\n";
   EXPECT_THAT(includes_of_snippet("roomcast/recording/measure/example_test.cpp", text),
               testing::IsEmpty());

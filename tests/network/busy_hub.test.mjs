@@ -68,7 +68,7 @@ test('a_redirected_viewer_may_stay', { skip }, async (t) => {
   await guest.until('the welcome', () => guest.welcome);
 });
 
-test('a_hub_that_is_not_busy_sends_nobody_away', { skip }, async (t) => {
+test('a_hub_that_is_not_busy_redirects_no_viewer', { skip }, async (t) => {
   const { first } = await startPair(t, 0);
   await RoomClient.join(t, first.url);
 });

@@ -91,7 +91,7 @@ test('hub_that_is_killed_again_and_again_finds_its_sensors_every_time', { timeou
   });
 });
 
-test('hub_that_was_frozen_has_everybody_back', { timeout: 60_000 }, async (t) => {
+test('all_clients_return_to_a_hub_that_was_frozen', { timeout: 60_000 }, async (t) => {
   const rig = writeSmallRig(scratchFolder(t), { fps: 20 });
   const hub = await startHub(t);
   const sensor = await startSensor(t, hub.url, rig, 0);

@@ -32,7 +32,7 @@ function secondFromFirst([first, second]) {
   return [0, 1, 2].map((column) => [0, 1, 2].reduce((sum, row) => sum + a[4 * row + column] * apart[row], 0));
 }
 
-test('a_demo_places_its_sensors_by_what_they_see', { timeout: 2 * limitMs }, async (t) => {
+test('a_demo_aligns_its_sensors', { timeout: 2 * limitMs }, async (t) => {
   const found = await placedDemo(t, aligned);
   assert.ok(!found.placements.has(given), 'nobody told them');
   const truth = await placedDemo(t, given, '--true-poses');

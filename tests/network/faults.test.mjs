@@ -73,7 +73,7 @@ test('killed_hub_is_replaced_and_its_sensors_join_the_next_one_with_a_key_frame'
   assertMissedNothing(after, [after.sensor('s0').id, after.sensor('s1').id]);
 });
 
-test('frozen_sensor_and_silent_viewer_hold_up_nobody_and_are_let_go', { timeout: 60_000 }, async (t) => {
+test('a_frozen_sensor_and_a_silent_viewer_delay_no_others_and_are_disconnected', { timeout: 60_000 }, async (t) => {
   const { victim, witness, hub, s0, s1 } = await roomOfTwo(t);
   const silent = await RoomClient.join(t, hub.url, { name: 'silent', options: { autoPong: false } });
   victim.child.kill('SIGSTOP');
@@ -90,7 +90,7 @@ test('frozen_sensor_and_silent_viewer_hold_up_nobody_and_are_let_go', { timeout:
   assert.deepEqual(witness.sensor('s1'), s1, 'same id, same pose');
 });
 
-test('sensor_that_sends_ten_times_its_rate_delays_nobody', async (t) => {
+test('a_sensor_at_ten_times_its_rate_delays_no_others', async (t) => {
   const hub = await startHub(t);
   const honest = await SendingSensor.start(t, hub.url, { name: 'honest', fps: 10 });
   const witness = await RoomClient.join(t, hub.url);

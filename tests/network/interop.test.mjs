@@ -77,7 +77,7 @@ for (const [name, { hubOptions, scheme, options }] of Object.entries(transports)
       assertMissedNothing(viewer, ids);
     });
 
-    test('pings_are_answered_with_what_they_carried_while_frames_flow', async (t) => {
+    test('pings_are_answered_with_their_payload_while_frames_flow', async (t) => {
       const { url } = await start(t);
       await SendingSensor.start(t, url, { name: 'left', fps: 30, payloadBytes: 100_000, options });
       const viewer = await RoomClient.join(t, url, { options });

@@ -47,7 +47,7 @@ async function assertNothingLost(port, admin, kept) {
   for (const name of kept.rooms) assert.ok(rooms.has(name), `room ${name} was acknowledged and is gone`);
 }
 
-test('what_a_killed_hub_has_acknowledged_is_not_lost', { timeout: 30_000 + 3_000 * kills }, async (t) => {
+test('changes_acknowledged_by_a_killed_hub_are_not_lost', { timeout: 30_000 + 3_000 * kills }, async (t) => {
   const folder = scratchFolder(t);
   let acknowledged = 0;
   for (let round = 0; round < kills; ++round) {

@@ -101,7 +101,7 @@ test('viewers_at_any_hub_see_sensors_at_any_hub', { skip, timeout }, async (t) =
   }
 });
 
-test('frames_go_to_hubs_where_somebody_watches_and_no_others', { skip, timeout }, async (t) => {
+test('frames_go_only_to_hubs_with_viewers', { skip, timeout }, async (t) => {
   const nodes = await startCluster(t, 1);
   const [first, second] = [await startHub(t, '--nats', nodes[0].url), await startHub(t, '--nats', nodes[0].url)];
   await Promise.all(sensors.map((name) => startSensor(t, first, name)));

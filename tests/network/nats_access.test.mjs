@@ -26,7 +26,7 @@ async function assertRefused(t, sentence, ...options) {
   assertFailed(await run('hub', '--listen', '127.0.0.1:0', '--data', scratchFolder(t), ...options), 1, sentence);
 }
 
-test('a_server_that_asks_for_a_password_lets_in_who_has_it', { skip }, async (t) => {
+test('a_server_with_a_password_accepts_hubs_that_have_it', { skip }, async (t) => {
   const node = await startNode(t, { more: 'authorization { user: hub, password: right }' });
   const withSecret = (secret) => node.url.replace('//', `//${secret}@`);
   await assertTheyShareARoom(t, '--nats', withSecret('hub:right'));
@@ -34,7 +34,7 @@ test('a_server_that_asks_for_a_password_lets_in_who_has_it', { skip }, async (t)
   await assertRefused(t, /refuses this hub/, '--nats', withSecret('hub:wrong'));
 });
 
-test('a_server_with_accounts_lets_in_who_has_credentials_for_one', { skip }, async (t) => {
+test('a_server_with_accounts_accepts_hubs_with_credentials', { skip }, async (t) => {
   const [account, another] = [newAccount(), newAccount()];
   const node = await startNode(t, { more: account.config });
   const folder = scratchFolder(t);
@@ -55,7 +55,7 @@ test('an_encrypted_server_is_trusted_when_its_certificate_is', { skip }, async (
   await assertRefused(t, /certificate is not trusted/, '--nats', node.url.replace('tls:', 'nats:'));
 });
 
-test('a_server_that_does_not_encrypt_is_not_taken_for_one_that_does', { skip }, async (t) => {
+test('an_unencrypted_server_is_refused_where_encryption_is_required', { skip }, async (t) => {
   const node = await startNode(t);
   await assertRefused(t, /offers no TLS/, '--nats', node.url.replace('nats:', 'tls:'));
 });
@@ -82,7 +82,7 @@ async function startTwins(t) {
 
 const tokenFor = (folder, role) => makeToken(folder, '--room', 'room', '--role', role);
 
-test('nobody_sends_as_a_sensor_that_is_at_another_hub', { skip }, async (t) => {
+test('a_sensors_name_cannot_be_used_at_another_hub', { skip }, async (t) => {
   const { folders, hubs } = await startTwins(t);
   const [own, anothers, viewers] = [await tokenFor(folders[0], 'sensor'), await tokenFor(folders[0], 'sensor'), await tokenFor(folders[0], 'viewer')];
   const sensor = { fps: 30 };
@@ -95,7 +95,7 @@ test('nobody_sends_as_a_sensor_that_is_at_another_hub', { skip }, async (t) => {
   await here.closed; // the viewer has moved to the other hub by itself
 });
 
-test('a_token_that_one_hub_revokes_is_refused_by_the_other_and_its_holder_is_sent_away', { skip }, async (t) => {
+test('a_token_revoked_at_one_hub_is_refused_by_the_other_and_its_holder_disconnected', { skip }, async (t) => {
   const { folders, hubs } = await startTwins(t);
   const { token, id } = await tokenFor(folders[0], 'viewer');
   const viewer = await RoomClient.join(t, hubs[1].url, { token });
@@ -104,7 +104,7 @@ test('a_token_that_one_hub_revokes_is_refused_by_the_other_and_its_holder_is_sen
   await assert.rejects(RoomClient.join(t, hubs[1].url, { token }), /revoked/);
 });
 
-test('hubs_are_listed_for_who_rules_one_and_for_nobody_else', { skip }, async (t) => {
+test('only_admins_of_a_hub_get_the_list_of_hubs', { skip }, async (t) => {
   const { folders, hubs } = await startTwins(t);
   const admin = await makeToken(folders[0], '--role', 'admin');
   const guest = await tokenFor(folders[0], 'viewer');

@@ -43,7 +43,7 @@ const isAt = (client, name, x_m) => {
   return sensor?.placement === aligned && sensor.worldFromDepth.join() === poseAt(x_m).join();
 };
 
-test('who_takes_over_a_room_goes_on_with_its_poses', { skip: natsIsMissing, timeout: 90_000 }, async (t) => {
+test('a_hub_that_takes_over_a_room_keeps_its_poses', { skip: natsIsMissing, timeout: 90_000 }, async (t) => {
   const node = await startNode(t);
   const hubs = await Promise.all([0, 1, 2].map(() => startSharing(t, node)));
   await Promise.all(hubs.map((hub, i) => startSensor(t, hub, `s${i}`)));

@@ -24,7 +24,7 @@ function residentBytes({ child }) {
 
 const sensorsOf = (frames) => frames.map(({ sensor }) => sensor).sort();
 
-test('viewers_that_stop_reading_lose_their_own_frames_and_nobody_elses', async (t) => {
+test('viewers_that_stop_reading_lose_only_their_own_frames', async (t) => {
   const hub = await startHub(t);
   const sensors = [];
   for (const name of ['left', 'right']) {

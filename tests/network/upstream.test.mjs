@@ -37,7 +37,7 @@ async function startSensors(t, hub, count, payloadBytes = 8000) {
     Array.from({ length: count }, (_, n) => SendingSensor.start(t, hub.url, { name: `s${n}`, ...options })));
 }
 
-test('a_viewer_of_another_hub_sees_the_whole_room_while_somebody_watches', async (t) => {
+test('a_viewer_of_another_hub_sees_the_whole_room_and_the_relay_stops_without_viewers', async (t) => {
   const origin = await startHub(t);
   await startSensors(t, origin, 4);
   const witness = await RoomClient.join(t, origin.url);
@@ -92,7 +92,7 @@ for (const [what, signal] of [['killed', 'SIGKILL'], ['hung', 'SIGSTOP']]) {
   });
 }
 
-test('who_is_told_of_several_hubs_goes_to_the_one_that_answers_first', async (t) => {
+test('a_client_of_several_hubs_joins_the_one_that_answers_first', async (t) => {
   const [near, far] = [await startHub(t), await startHub(t)];
   const slow = await startSlowWay(t, far, 150);
   for (const urls of [[slow.url, near.url], [near.url, slow.url]]) {
@@ -139,7 +139,7 @@ test('when_the_token_of_a_hub_is_revoked_the_room_ends_for_all_behind_it', async
   await viewer.until('the room has ended here', () => viewer.sensor('s0')?.online === false);
 });
 
-test('a_viewers_token_does_not_let_a_hub_serve_on', async (t) => {
+test('a_viewers_token_does_not_let_a_hub_relay', async (t) => {
   const [theirs, ours] = [scratchFolder(t), scratchFolder(t)];
   writeFileSync(`${ours}/token`, (await makeToken(theirs, '--room', 'room', '--role', 'viewer')).token);
   const origin = await startHub(t, '--access', 'token', '--data', theirs);
@@ -148,7 +148,7 @@ test('a_viewers_token_does_not_let_a_hub_serve_on', async (t) => {
   await edge.program.prints(/this token is for role viewer; to serve on this room takes one for role hub/);
 });
 
-test('who_holds_a_token_that_a_hub_has_revoked_is_sent_away_at_hubs_behind_it', async (t) => {
+test('holders_of_a_revoked_token_are_disconnected_at_relays_too', async (t) => {
   const [theirs, ours, last] = [scratchFolder(t), scratchFolder(t), scratchFolder(t)];
   const [hubs, guests, others] = [
     await makeToken(theirs, '--room', 'room', '--role', 'hub'),
