@@ -43,15 +43,12 @@ std::optional<RoomProblem> problem_of(const client::RoomSensor& sensor, HostTime
                        name + " was moved: it is shown where it was until it is aligned again."};
   if (sensor.placed && sensor.unverified)
     return RoomProblem{Severity::kNotice, sensor.name,
-                       name +
-                           " is shown where it stood before it was away; nothing has confirmed "
-                           "yet that it still does."};
+                       name + " is shown at its stored pose, which has not been confirmed yet."};
   if (sensor.placed) return std::nullopt;
   const std::string why =
       sensor.placement_note.empty() ? "." : ": " + with_full_stop(sensor.placement_note);
   return RoomProblem{Severity::kNotice, sensor.name,
-                     "The place of sensor " + sensor.name + " is not known yet" + why +
-                         " It is shown at a provisional place."};
+                     name + " is not placed yet" + why + " It is shown at a provisional place."};
 }
 
 }  // namespace

@@ -67,10 +67,9 @@ TEST(RoomProblems, a_silent_sensor_comes_before_one_without_a_place) {
   const auto problems = room_problems(room, kNow);
   ASSERT_EQ(problems.size(), 2U);
   EXPECT_EQ(problems[0].sentence, "Sensor right has been silent for 5 s.");
-  EXPECT_EQ(
-      problems[1].sentence,
-      "The place of sensor left is not known yet: it shares no surface with the others. It is "
-      "shown at a provisional place.");
+  EXPECT_EQ(problems[1].sentence,
+            "Sensor left is not placed yet: it shares no surface with the others. It is shown at a "
+            "provisional place.");
 }
 
 TEST(RoomProblems, a_sensor_with_an_unverified_pose_is_reported) {
@@ -79,8 +78,7 @@ TEST(RoomProblems, a_sensor_with_an_unverified_pose_is_reported) {
   const auto problems = room_problems(room, kNow);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].sentence,
-            "Sensor left is shown where it stood before it was away; nothing has confirmed yet "
-            "that it still does.");
+            "Sensor left is shown at its stored pose, which has not been confirmed yet.");
 }
 
 TEST(RoomProblems, a_slow_sensor_is_not_a_silent_one) {
