@@ -9,23 +9,10 @@
 namespace roomcast::render {
 
 Result<RoomRenderer> RoomRenderer::create() {
-  Result<PointRenderer> points = PointRenderer::create();
-  if (!points) return std::move(points).error();
-  Result<SurfaceMesher> mesher = SurfaceMesher::create();
-  if (!mesher) return std::move(mesher).error();
-  Result<MeshRenderer> meshes = MeshRenderer::create();
-  if (!meshes) return std::move(meshes).error();
-  Result<FloorGrid> floor = FloorGrid::create();
-  if (!floor) return std::move(floor).error();
-  Result<BackgroundUpdater> memories = BackgroundUpdater::create();
-  if (!memories) return std::move(memories).error();
-  Result<AdaptiveRenderer> adaptive = AdaptiveRenderer::create();
-  if (!adaptive) return std::move(adaptive).error();
-  Result<BlendRenderer> blend = BlendRenderer::create();
-  if (!blend) return std::move(blend).error();
-  return RoomRenderer(Parts{*std::move(points), *std::move(mesher), *std::move(meshes),
-                            *std::move(floor), *std::move(memories), *std::move(adaptive),
-                            *std::move(blend)});
+  auto parts = create_parts(&Parts::points, &Parts::mesher, &Parts::meshes, &Parts::floor,
+                            &Parts::memories, &Parts::adaptive, &Parts::blend);
+  if (!parts) return std::move(parts).error();
+  return RoomRenderer(*std::move(parts));
 }
 
 Status RoomRenderer::set_sensor(SensorId id, const CameraIntrinsics& depth,

@@ -3,47 +3,24 @@
 
 #include <utility>
 
-#include "roomcast/render/gl/shader_sources.h"
-
 namespace roomcast::render {
 namespace {
 
-// As in shaders/blend/.
-constexpr int kTileSide = 16;
+using shaders::adaptive_mesh_comp;
+using shaders::mesh_gather_comp;
+using shaders::mesh_offsets_comp;
+
+constexpr int kTileSide = adaptive_mesh_comp::local_size[0];
 constexpr GLsizeiptr kMaxIndicesOfTile = 6 * kTileSide * kTileSide;
-enum TextureUnit : GLuint { kDepth = 0, kCovering = 5 };
-enum TilesUniform : GLint { kMaxGap = 4, kIsCovered = 5 };
-constexpr GLint kTileCount = 0;  // uniform of mesh_offsets.comp
 constexpr GLsizeiptr kIndexBytes = sizeof(GLuint);
-
-void bind_buffer(GLuint binding, const GlBuffer& buffer) {
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.name());
-}
-
-void dispatch(const GlProgram& program, int across, int down) {
-  glUseProgram(program.name());
-  glDispatchCompute(static_cast<GLuint>(across), static_cast<GLuint>(down), 1);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-}
 
 }  // namespace
 
 Result<AdaptiveMesher> AdaptiveMesher::create() {
-  auto tiles = make_program(
-      {{GL_COMPUTE_SHADER,
-        {shaders::depth_noise_glsl, shaders::blend_surface_glsl, shaders::adaptive_mesh_comp}}});
-  if (!tiles) return std::move(tiles).error();
-  auto offsets = make_program({{GL_COMPUTE_SHADER, {shaders::mesh_offsets_comp}}});
-  if (!offsets) return std::move(offsets).error();
-  auto gather = make_program({{GL_COMPUTE_SHADER, {shaders::mesh_gather_comp}}});
-  if (!gather) return std::move(gather).error();
-  return AdaptiveMesher(*std::move(tiles), *std::move(offsets), *std::move(gather));
+  auto programs = create_parts(&Programs::tiles, &Programs::offsets, &Programs::gather);
+  if (!programs) return std::move(programs).error();
+  return AdaptiveMesher(*std::move(programs));
 }
-
-AdaptiveMesher::AdaptiveMesher(GlProgram tiles, GlProgram offsets, GlProgram gather)
-    : tiles_program_(std::move(tiles)),
-      offsets_program_(std::move(offsets)),
-      gather_program_(std::move(gather)) {}
 
 void AdaptiveMesher::make_room(int tiles) {
   if (tiles <= tiles_) return;
@@ -62,23 +39,28 @@ void AdaptiveMesher::build(const GlTexture& depth_m, const GlTexture* covering, 
     mesh.indices = make_buffer(across * down * kMaxIndicesOfTile * kIndexBytes);
     mesh.commands = make_buffer(kMaxEyes * AdaptiveMesh::kCommandBytes);
   }
-  glBindTextureUnit(kDepth, depth_m.name());
-  glBindTextureUnit(kCovering, covering != nullptr ? covering->name() : depth_m.name());
-  glProgramUniform1i(tiles_program_.name(), kIsCovered, covering != nullptr);
-  glProgramUniform2f(tiles_program_.name(), kMaxGap, static_cast<float>(options.max_gap_m),
-                     static_cast<float>(options.max_gap_per_m));
-  bind_buffer(0, tile_indices_);
-  bind_buffer(1, tile_counts_);
-  dispatch(tiles_program_, across, down);
+  const auto& [tiles, offsets, gather] = programs_;
+  tiles.bind(shaders::blend_surface_glsl::depth_m, depth_m);
+  tiles.bind(adaptive_mesh_comp::covering_depth_m, covering != nullptr ? *covering : depth_m);
+  tiles.set(adaptive_mesh_comp::is_covered, covering != nullptr);
+  tiles.set(adaptive_mesh_comp::max_gap,
+            {static_cast<float>(options.max_gap_m), static_cast<float>(options.max_gap_per_m)});
+  tiles.bind(adaptive_mesh_comp::Tiles, tile_indices_);
+  tiles.bind(adaptive_mesh_comp::Counts, tile_counts_);
+  tiles.run(width, height, 1, GL_SHADER_STORAGE_BARRIER_BIT);
 
-  glProgramUniform1ui(offsets_program_.name(), kTileCount, static_cast<GLuint>(across * down));
-  bind_buffer(2, tile_offsets_);
-  bind_buffer(3, mesh.commands);
-  dispatch(offsets_program_, 1, 1);
+  offsets.set(mesh_offsets_comp::tiles, static_cast<GLuint>(across * down));
+  offsets.bind(mesh_offsets_comp::Counts, tile_counts_);
+  offsets.bind(mesh_offsets_comp::Offsets, tile_offsets_);
+  offsets.bind(mesh_offsets_comp::Commands, mesh.commands);
+  offsets.run(offsets.kGroupSize[0], 1, 1, GL_SHADER_STORAGE_BARRIER_BIT);
 
-  bind_buffer(3, mesh.indices);
-  dispatch(gather_program_, across * down, 1);
-  glMemoryBarrier(GL_ELEMENT_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+  gather.bind(mesh_gather_comp::Tiles, tile_indices_);
+  gather.bind(mesh_gather_comp::Counts, tile_counts_);
+  gather.bind(mesh_gather_comp::Offsets, tile_offsets_);
+  gather.bind(mesh_gather_comp::Indices, mesh.indices);
+  gather.run(across * down * gather.kGroupSize[0], 1, 1,  // one group per tile
+             GL_ELEMENT_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 }  // namespace roomcast::render

@@ -5,8 +5,9 @@
 // made with.
 #pragma once
 
+#include <utility>
+
 #include "roomcast/core/result.h"
-#include "roomcast/render/gl/gl_program.h"
 #include "roomcast/render/surface/surface_mesh.h"
 #include "roomcast/render/view/eyes.h"
 
@@ -29,10 +30,17 @@ class AdaptiveMesher {
              const SurfaceMeshOptions& options, AdaptiveMesh& mesh);
 
  private:
-  AdaptiveMesher(GlProgram tiles, GlProgram offsets, GlProgram gather);
+  struct Programs {
+    ComputeProgram<shaders::depth_noise_glsl, shaders::blend_surface_glsl,
+                   shaders::adaptive_mesh_comp>
+        tiles;
+    ComputeProgram<shaders::mesh_offsets_comp> offsets;
+    ComputeProgram<shaders::mesh_gather_comp> gather;
+  };
+  explicit AdaptiveMesher(Programs programs) : programs_(std::move(programs)) {}
   void make_room(int tiles);
 
-  GlProgram tiles_program_, offsets_program_, gather_program_;
+  Programs programs_;
   int tiles_ = 0;  // capacity of the buffers
   GlBuffer tile_indices_, tile_counts_, tile_offsets_;
 };

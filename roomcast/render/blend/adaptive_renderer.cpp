@@ -3,12 +3,10 @@
 
 #include <utility>
 
-#include "roomcast/render/gl/shader_sources.h"
-
 namespace roomcast::render {
 
 Result<AdaptiveRenderer> AdaptiveRenderer::create() {
-  auto program = make_layer_program(shaders::adaptive_vert, shaders::adaptive_frag);
+  Result<Program> program = Program::create();
   if (!program) return std::move(program).error();
   return AdaptiveRenderer(*std::move(program));
 }

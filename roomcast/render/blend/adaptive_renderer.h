@@ -21,9 +21,11 @@ class AdaptiveRenderer {
             const OffscreenTarget& target) const;
 
  private:
-  explicit AdaptiveRenderer(GlProgram program) : program_(std::move(program)) {}
+  using Program = LayerProgram<shaders::adaptive_vert, shaders::adaptive_frag>;
 
-  GlProgram program_;
+  explicit AdaptiveRenderer(Program program) : program_(std::move(program)) {}
+
+  Program program_;
   LayerPainter painter_;
 };
 

@@ -6,11 +6,11 @@
 #pragma once
 
 #include <span>
+#include <utility>
 
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/render/blend/clean_surface.h"
-#include "roomcast/render/blend/compute_pass.h"
 #include "roomcast/render/blend/lost_depth.h"
 #include "roomcast/render/surface/sensor_surface.h"
 
@@ -58,13 +58,19 @@ class BackgroundUpdater {
                const SurfaceCleaner::Options& options, BackgroundModel& memory);
 
  private:
-  BackgroundUpdater(ComputePass remember, ComputePass background, ComputePass carve, LostDepth lost,
-                    SurfaceCleaner cleaner);
+  struct Parts {
+    ComputeProgram<shaders::sensor_surface_glsl, shaders::depth_noise_glsl,
+                   shaders::remember_background_comp>
+        remember;
+    ComputeProgram<shaders::sensor_surface_glsl, shaders::background_depth_comp> background;
+    ComputeProgram<shaders::carve_comp> carve;
+    LostDepth lost;
+    SurfaceCleaner cleaner;
+  };
+  explicit BackgroundUpdater(Parts parts) : parts_(std::move(parts)) {}
   void carve(const SensorSurface& sensor, const OtherSensor& other, const GlTexture& depth) const;
 
-  ComputePass remember_, background_, carve_;
-  LostDepth lost_;
-  SurfaceCleaner cleaner_;
+  Parts parts_;
 };
 
 }  // namespace roomcast::render

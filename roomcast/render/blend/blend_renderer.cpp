@@ -4,7 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "roomcast/render/gl/shader_sources.h"
 #include "roomcast/render/view/surface_view.h"
 
 namespace roomcast::render {
@@ -15,11 +14,6 @@ constexpr std::size_t kLevels = 10;  // a pixel of the coarsest covers 1024 pixe
 constexpr std::size_t kNarrow = 3, kWide = 5;
 constexpr float kBackgroundWeight = 0.02F;
 
-// Uniforms, as in shaders/blend/.
-constexpr GLint kWeight = 6;      // of mix.vert
-constexpr GLint kDepthFromZ = 0;  // of shrink_picture.comp
-enum SurroundingsUniform : GLint { kCoverageSizes = 1, kUnseen = 2 };
-
 void attach(const GlFramebuffer& framebuffer, GLenum attachment, const GlTexture& texture) {
   glNamedFramebufferTexture(framebuffer.name(), attachment, texture.name(), 0);
 }
@@ -27,24 +21,11 @@ void attach(const GlFramebuffer& framebuffer, GLenum attachment, const GlTexture
 }  // namespace
 
 Result<BlendRenderer> BlendRenderer::create() {
-  auto nearest = make_layer_program(shaders::nearest_vert, shaders::nearest_frag);
-  if (!nearest) return std::move(nearest).error();
-  auto mix = make_layer_program(shaders::mix_vert, shaders::mix_frag);
-  if (!mix) return std::move(mix).error();
-  auto resolve = make_program({{GL_VERTEX_SHADER, {shaders::whole_picture_vert}},
-                               {GL_FRAGMENT_SHADER, {shaders::resolve_frag}}});
-  if (!resolve) return std::move(resolve).error();
-  auto begin = ComputePass::create({shaders::shrink_picture_comp});
-  if (!begin) return std::move(begin).error();
-  auto shrink = ComputePass::create({shaders::shrink_comp});
-  if (!shrink) return std::move(shrink).error();
-  auto grow = ComputePass::create({shaders::grow_comp});
-  if (!grow) return std::move(grow).error();
-  auto surroundings = ComputePass::create({shaders::surroundings_comp});
-  if (!surroundings) return std::move(surroundings).error();
-  return BlendRenderer({*std::move(nearest), *std::move(mix), *std::move(resolve),
-                        *std::move(begin), *std::move(shrink), *std::move(grow),
-                        *std::move(surroundings)});
+  auto programs =
+      create_parts(&Programs::nearest, &Programs::mix, &Programs::begin, &Programs::shrink,
+                   &Programs::grow, &Programs::surroundings, &Programs::resolve);
+  if (!programs) return std::move(programs).error();
+  return BlendRenderer(*std::move(programs));
 }
 
 BlendRenderer::BlendRenderer(Programs programs)
@@ -106,7 +87,7 @@ void BlendRenderer::mix(std::span<const SurfaceLayer> layers, const Eyes& eyes,
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   for (const SurfaceLayer& layer : layers) {
-    glProgramUniform1f(programs_.mix.name(), kWeight, layer.is_background ? kBackgroundWeight : 1);
+    programs_.mix.set(shaders::mix_vert::weight, layer.is_background ? kBackgroundWeight : 1);
     painter_.draw(programs_.mix, layer, eyes);
   }
   glDisable(GL_BLEND);
@@ -117,57 +98,62 @@ void BlendRenderer::find_surroundings(const Eyes& eyes, Unseen unseen,
                                       const GlTexture& nearest_depth) {
   begin_surroundings(eyes, nearest_depth);
   for (std::size_t i = 1; i < levels_.size(); ++i) {
-    const Level& level = levels_[i];
-    glBindTextureUnit(0, levels_[i - 1].color.name());
-    glBindTextureUnit(1, levels_[i - 1].coverage.name());
-    bind_image(0, level.color, ImageAccess::kWrite, GL_RGBA16F);
-    bind_image(1, level.coverage, ImageAccess::kWrite, GL_R16F);
-    programs_.shrink.run(level.width, level.height, eyes_);
+    using shaders::shrink_comp;
+    const Level &finer = levels_[i - 1], &coarser = levels_[i];
+    programs_.shrink.bind(shrink_comp::finer_color, finer.color);
+    programs_.shrink.bind(shrink_comp::finer_coverage, finer.coverage);
+    programs_.shrink.bind(shrink_comp::coarser, coarser.color);
+    programs_.shrink.bind(shrink_comp::coarser_coverage, coarser.coverage);
+    programs_.shrink.run(coarser.width, coarser.height, eyes_);
   }
   for (std::size_t i = levels_.size() - 1; i > 1; --i) {
-    const Level& finer = levels_[i - 1];
-    glBindTextureUnit(0, levels_[i].color.name());
-    bind_image(0, finer.color, ImageAccess::kBoth, GL_RGBA16F);
+    const Level &finer = levels_[i - 1], &coarser = levels_[i];
+    programs_.grow.bind(shaders::grow_comp::coarser, coarser.color);
+    programs_.grow.bind(shaders::grow_comp::level, finer.color);
     programs_.grow.run(finer.width, finer.height, eyes_);
   }
   finish_surroundings(unseen);
 }
 
 void BlendRenderer::begin_surroundings(const Eyes& eyes, const GlTexture& nearest_depth) {
+  using shaders::shrink_picture_comp;
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   const Eigen::Matrix4f clip = clip_from_view(eyes[0]);  // the same for both eyes
-  glProgramUniform2f(programs_.begin.program().name(), kDepthFromZ, -clip(2, 2), clip(2, 3));
   const Level& finest = levels_.front();
-  glBindTextureUnit(0, color_sum_.name());
-  glBindTextureUnit(1, nearest_depth.name());
-  bind_image(0, finest.color, ImageAccess::kWrite, GL_RGBA16F);
-  bind_image(1, finest.coverage, ImageAccess::kWrite, GL_R16F);
+  programs_.begin.set(shrink_picture_comp::depth_from_z, {-clip(2, 2), clip(2, 3)});
+  programs_.begin.bind(shrink_picture_comp::color_sum, color_sum_);
+  programs_.begin.bind(shrink_picture_comp::nearest_depth, nearest_depth);
+  programs_.begin.bind(shrink_picture_comp::coarser, finest.color);
+  programs_.begin.bind(shrink_picture_comp::coarser_coverage, finest.coverage);
   programs_.begin.run(finest.width, finest.height, eyes_);
 }
 
 void BlendRenderer::finish_surroundings(Unseen unseen) {
+  using shaders::surroundings_comp;
+  const auto& program = programs_.surroundings;
   const Level &finest = levels_[0], &narrow = levels_[kNarrow], &wide = levels_[kWide];
   const auto px = [](int pixels, std::size_t level) { return static_cast<float>(pixels << level); };
-  const GLuint program = programs_.surroundings.program().name();
-  glProgramUniform4f(program, kCoverageSizes, px(narrow.width, kNarrow), px(narrow.height, kNarrow),
-                     px(wide.width, kWide), px(wide.height, kWide));
-  glProgramUniform1i(program, kUnseen, static_cast<GLint>(unseen));
-  glBindTextureUnit(0, levels_[1].color.name());
-  glBindTextureUnit(3, narrow.coverage.name());
-  glBindTextureUnit(4, wide.coverage.name());
-  bind_image(0, finest.color, ImageAccess::kBoth, GL_RGBA16F);
-  programs_.surroundings.run(finest.width, finest.height, eyes_);
+  program.set(surroundings_comp::coverage_sizes,
+              {px(narrow.width, kNarrow), px(narrow.height, kNarrow), px(wide.width, kWide),
+               px(wide.height, kWide)});
+  program.set(surroundings_comp::unseen, static_cast<GLint>(unseen));
+  program.bind(surroundings_comp::coarser, levels_[1].color);
+  program.bind(surroundings_comp::narrow_coverage, narrow.coverage);
+  program.bind(surroundings_comp::wide_coverage, wide.coverage);
+  program.bind(surroundings_comp::level, finest.color);
+  program.run(finest.width, finest.height, eyes_);
 }
 
 void BlendRenderer::resolve(const OffscreenTarget& target) {
+  using shaders::resolve_frag;
   attach(picture_target_, GL_COLOR_ATTACHMENT0, target.color());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture_target_.name());
-  glBindTextureUnit(0, color_sum_.name());
-  glBindTextureUnit(1, target.depth().name());
-  glBindTextureUnit(2, levels_.front().color.name());
+  programs_.resolve.bind(resolve_frag::color_sum, color_sum_);
+  programs_.resolve.bind(resolve_frag::nearest_depth, target.depth());
+  programs_.resolve.bind(resolve_frag::surroundings, levels_.front().color);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  glUseProgram(programs_.resolve.name());
+  programs_.resolve.use();
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);

@@ -9,7 +9,6 @@
 #include <span>
 #include <vector>
 
-#include "roomcast/render/blend/compute_pass.h"
 #include "roomcast/render/blend/surface_layer.h"
 #include "roomcast/render/view/eyes.h"
 #include "roomcast/render/view/offscreen_target.h"
@@ -35,8 +34,13 @@ class BlendRenderer {
 
  private:
   struct Programs {
-    GlProgram nearest, mix, resolve;
-    ComputePass begin, shrink, grow, surroundings;
+    LayerProgram<shaders::nearest_vert, shaders::nearest_frag> nearest;
+    LayerProgram<shaders::mix_vert, shaders::mix_frag> mix;
+    ComputeProgram<shaders::shrink_picture_comp> begin;
+    ComputeProgram<shaders::shrink_comp> shrink;
+    ComputeProgram<shaders::grow_comp> grow;
+    ComputeProgram<shaders::surroundings_comp> surroundings;
+    DrawProgram<Vertex<shaders::whole_picture_vert>, Fragment<shaders::resolve_frag>> resolve;
   };
   explicit BlendRenderer(Programs programs);
 

@@ -5,11 +5,12 @@
 // each step. Needs the GL context it was made with.
 #pragma once
 
+#include <utility>
+
 #include <Eigen/Core>
 
 #include "roomcast/core/result.h"
 #include "roomcast/render/blend/adaptive_mesh.h"
-#include "roomcast/render/blend/compute_pass.h"
 #include "roomcast/render/surface/sensor_surface.h"
 
 namespace roomcast::render {
@@ -56,17 +57,22 @@ class SurfaceCleaner {
               CleanSurface& surface);
 
  private:
-  struct Passes {
-    ComputePass fill, extend, smooth, edges, quality, still, color;
+  struct Parts {
+    ComputeProgram<shaders::fill_small_comp> fill;
+    ComputeProgram<shaders::extend_edges_comp> extend;
+    ComputeProgram<shaders::depth_noise_glsl, shaders::smooth_comp> smooth;
+    ComputeProgram<shaders::edge_distance_comp> edges;
+    ComputeProgram<shaders::quality_comp> quality;
+    ComputeProgram<shaders::depth_noise_glsl, shaders::still_color_comp> still;
+    ComputeProgram<shaders::weighted_color_comp> color;
+    AdaptiveMesher mesher;
   };
-  SurfaceCleaner(Passes passes, AdaptiveMesher mesher);
-  static void filter(const ComputePass& pass, CleanSurface& surface);
+  explicit SurfaceCleaner(Parts parts) : parts_(std::move(parts)) {}
+  void weigh_pixels(const GlTexture& rays, CleanSurface& surface);
   void still_colors(const SensorSurface& sensor, const Known& known, CleanSurface& surface);
   void weigh_colors(const GlTexture& color, const Eigen::Vector3f& gain, CleanSurface& surface);
-  static void run_on_colors(const ComputePass& pass, const CleanSurface& surface);
 
-  Passes passes_;
-  AdaptiveMesher mesher_;
+  Parts parts_;
 };
 
 }  // namespace roomcast::render

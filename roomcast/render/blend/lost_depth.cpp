@@ -4,50 +4,36 @@
 #include <bit>
 #include <utility>
 
-#include "roomcast/render/gl/shader_sources.h"
-
 namespace roomcast::render {
-namespace {
-
-// As in shaders/blend/judge_lost.comp and cover_lost.comp.
-enum TextureUnit : GLuint {
-  kNewest = 0,
-  kColor = 2,
-  kSeen = 3,
-  kVerdict = 4,
-  kBackgroundColor = 5,
-  kReadings = 6,
-  kSteadiness = 7,
-};
-constexpr GLint kColorShift = 0;
-
-}  // namespace
 
 Result<LostDepth> LostDepth::create() {
-  auto judge = ComputePass::create({shaders::judge_lost_comp});
-  if (!judge) return std::move(judge).error();
-  auto cover = ComputePass::create({shaders::cover_lost_comp});
-  if (!cover) return std::move(cover).error();
-  return LostDepth(*std::move(judge), *std::move(cover));
+  auto programs = create_parts(&Programs::judge, &Programs::cover);
+  if (!programs) return std::move(programs).error();
+  return LostDepth(*std::move(programs));
 }
 
 void LostDepth::cover(const SensorSurface& sensor, const Known& known, const Out& out) const {
+  using shaders::cover_lost_comp;
+  using shaders::judge_lost_comp;
   const int width = sensor.intrinsics().width, height = sensor.intrinsics().height;
-  glBindTextureUnit(kNewest, known.newest_m.name());
-  glBindTextureUnit(kColor, sensor.color().name());
-  glBindTextureUnit(kBackgroundColor, known.color.name());
-  glBindTextureUnit(kReadings, known.readings.name());
-  glBindTextureUnit(kSteadiness, known.steadiness.name());
-  glProgramUniform1i(judge_.program().name(), kColorShift,
-                     std::countr_zero(static_cast<unsigned>(sensor.color_scale())));
-  bind_image(0, out.verdict, ImageAccess::kWrite, GL_R8UI);
-  judge_.run(width, height);
+  const auto& [judge, cover] = programs_;
+  judge.bind(judge_lost_comp::newest_m, known.newest_m);
+  judge.bind(judge_lost_comp::color, sensor.color());
+  judge.bind(judge_lost_comp::background_color, known.color);
+  judge.bind(judge_lost_comp::background, known.readings);
+  judge.bind(judge_lost_comp::steadiness, known.steadiness);
+  judge.set(judge_lost_comp::color_shift,
+            std::countr_zero(static_cast<unsigned>(sensor.color_scale())));
+  judge.bind(judge_lost_comp::verdict, out.verdict);
+  judge.run(width, height);
 
-  glBindTextureUnit(kSeen, sensor.seen().name());
-  glBindTextureUnit(kVerdict, out.verdict.name());
-  bind_image(0, out.depth_m, ImageAccess::kWrite, GL_R32F);
-  bind_image(1, out.seen, ImageAccess::kWrite, GL_R8UI);
-  cover_.run(width, height);
+  cover.bind(cover_lost_comp::newest_m, known.newest_m);
+  cover.bind(cover_lost_comp::seen, sensor.seen());
+  cover.bind(cover_lost_comp::verdict, out.verdict);
+  cover.bind(cover_lost_comp::background, known.readings);
+  cover.bind(cover_lost_comp::depth_out, out.depth_m);
+  cover.bind(cover_lost_comp::seen_out, out.seen);
+  cover.run(width, height);
 }
 
 }  // namespace roomcast::render

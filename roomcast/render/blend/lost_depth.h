@@ -5,8 +5,9 @@
 // (geometry/hole_registration.h). Needs the GL context it was made with.
 #pragma once
 
+#include <utility>
+
 #include "roomcast/core/result.h"
-#include "roomcast/render/blend/compute_pass.h"
 #include "roomcast/render/surface/sensor_surface.h"
 
 namespace roomcast::render {
@@ -28,10 +29,13 @@ class LostDepth {
   void cover(const SensorSurface& sensor, const Known& known, const Out& out) const;
 
  private:
-  LostDepth(ComputePass judge, ComputePass cover)
-      : judge_(std::move(judge)), cover_(std::move(cover)) {}
+  struct Programs {
+    ComputeProgram<shaders::judge_lost_comp> judge;
+    ComputeProgram<shaders::cover_lost_comp> cover;
+  };
+  explicit LostDepth(Programs programs) : programs_(std::move(programs)) {}
 
-  ComputePass judge_, cover_;
+  Programs programs_;
 };
 
 }  // namespace roomcast::render

@@ -3,8 +3,6 @@
 // the GL context it was made with.
 #pragma once
 
-#include <string_view>
-
 #include "roomcast/core/ids.h"
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/render/blend/clean_surface.h"
@@ -20,17 +18,21 @@ struct SurfaceLayer {
   bool is_background = false;  // drawn farther back, with a lower weight than live surfaces
 };
 
-/// A program for LayerPainter. Both shaders are preceded by shaders/blend/blend_surface.glsl, the
-/// vertex shader also by the sources that transform points to the view. Errors as make_program.
-[[nodiscard]] Result<GlProgram> make_layer_program(std::string_view vertex_shader,
-                                                   std::string_view fragment_shader);
+/// A program for LayerPainter that ends with these two shaders.
+template <class VertexShader, class FragmentShader>
+using LayerProgram =
+    DrawProgram<Vertex<shaders::eyes_glsl, shaders::surface_view_glsl, shaders::blend_surface_glsl,
+                       shaders::blend_in_view_glsl, VertexShader>,
+                Fragment<shaders::blend_surface_glsl, FragmentShader>>;
+using AnyLayerProgram = ProgramWith<shaders::eyes_glsl, shaders::surface_view_glsl,
+                                    shaders::blend_surface_glsl, shaders::blend_in_view_glsl>;
 
 class LayerPainter {
  public:
   LayerPainter() : vertices_(GlVertexArray::create()) {}
 
   /// Draws into the bound framebuffer with the current depth test and write masks.
-  void draw(const GlProgram& program, const SurfaceLayer& layer, const Eyes& eyes) const;
+  void draw(AnyLayerProgram program, const SurfaceLayer& layer, const Eyes& eyes) const;
 
  private:
   GlVertexArray vertices_;

@@ -68,4 +68,42 @@ Result<GlProgram> make_program(std::initializer_list<GlStage> stages) {
                   glGetProgramInfoLog);
 }
 
+void set_uniform(GLuint program, GLint location, GLsizei count, const float* values) {
+  glProgramUniform1fv(program, location, count, values);
+}
+void set_uniform(GLuint program, GLint location, GLsizei count, const GLint* values) {
+  glProgramUniform1iv(program, location, count, values);
+}
+void set_uniform(GLuint program, GLint location, GLsizei count, const GLuint* values) {
+  glProgramUniform1uiv(program, location, count, values);
+}
+void set_uniform(GLuint program, GLint location, GLsizei count, const Eigen::Vector2i* values) {
+  glProgramUniform2iv(program, location, count, values->data());
+}
+void set_uniform(GLuint program, GLint location, GLsizei count, const Eigen::Vector2f* values) {
+  glProgramUniform2fv(program, location, count, values->data());
+}
+void set_uniform(GLuint program, GLint location, GLsizei count, const Eigen::Vector3f* values) {
+  glProgramUniform3fv(program, location, count, values->data());
+}
+void set_uniform(GLuint program, GLint location, GLsizei count, const Eigen::Vector4f* values) {
+  glProgramUniform4fv(program, location, count, values->data());
+}
+void set_uniform(GLuint program, GLint location, GLsizei count, const Eigen::Matrix3f* values) {
+  glProgramUniformMatrix3fv(program, location, count, GL_FALSE, values->data());
+}
+void set_uniform(GLuint program, GLint location, GLsizei count, const Eigen::Matrix4f* values) {
+  glProgramUniformMatrix4fv(program, location, count, GL_FALSE, values->data());
+}
+
+void dispatch(const std::array<int, 3>& size, const std::array<int, 2>& group,
+              GLbitfield barriers) {
+  const auto groups = [](int pixels, int per_group) {
+    return static_cast<GLuint>((pixels + per_group - 1) / per_group);
+  };
+  glDispatchCompute(groups(size[0], group[0]), groups(size[1], group[1]),
+                    static_cast<GLuint>(size[2]));
+  glMemoryBarrier(barriers);
+}
+
 }  // namespace roomcast::render

@@ -1,5 +1,5 @@
 // Draws for one eye, or for two side by side. Comes before every vertex shader of the room; each instance is drawn for
-// one eye. Locations as in eyes.cpp.
+// one eye.
 
 layout(location = 15) uniform int eyes;
 

@@ -1,4 +1,4 @@
-// One sensor's newest pictures. Comes before every shader that reads them. Bindings as in sensor_surface.cpp.
+// One sensor's newest pictures. Comes before every shader that reads them.
 
 layout(binding = 0) uniform usampler2D depth_mm;  // 0: no reading
 layout(binding = 1) uniform sampler2D rays;       // undistorted (x/z, y/z); kNoRay or more: none

@@ -1,5 +1,4 @@
-// Transforms of a sensor's surface to the view. Comes before vertex shaders, after eyes.glsl. Locations as in
-// surface_view.cpp.
+// Transforms of a sensor's surface to the view. Comes before vertex shaders, after eyes.glsl.
 
 layout(location = 0) uniform mat4 clip_from_view[2];   // of each eye
 layout(location = 2) uniform mat4 view_from_depth[2];

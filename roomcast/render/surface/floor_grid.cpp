@@ -1,49 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/render/surface/floor_grid.h"
 
-#include <array>
-
-#include "roomcast/render/gl/shader_sources.h"
+#include <utility>
 
 namespace roomcast::render {
 namespace {
 
-// As in shaders/floor_grid.*.
-enum UniformLocation : GLint { kClipFromWorld = 0, kEye = 2, kReach = 4, kLine = 5 };
 constexpr float kReachM = 15;
 constexpr float kStrength = 0.35F;
-
-void set_uniforms(const GlProgram& program, const Eyes& eyes, Rgb8 line) {
-  set_eyes(program, eyes);
-  set_matrices(program, kClipFromWorld, clip_from_world(eyes));
-  std::array<Eigen::Vector3f, kMaxEyes> places_m;
-  for (std::size_t eye = 0; eye < places_m.size(); ++eye) {
-    places_m[eye] = eyes[eye].world_from_view.translation_m.cast<float>();
-  }
-  glProgramUniform3fv(program.name(), kEye, kMaxEyes, places_m[0].data());
-  glProgramUniform1f(program.name(), kReach, kReachM);
-  glProgramUniform4f(program.name(), kLine, static_cast<float>(line.r) / 255,
-                     static_cast<float>(line.g) / 255, static_cast<float>(line.b) / 255, kStrength);
-}
 
 }  // namespace
 
 Result<FloorGrid> FloorGrid::create() {
-  Result<GlProgram> program =
-      make_program({{GL_VERTEX_SHADER, {shaders::eyes_glsl, shaders::floor_grid_vert}},
-                    {GL_FRAGMENT_SHADER, {shaders::floor_grid_frag}}});
+  Result<Program> program = Program::create();
   if (!program) return std::move(program).error();
-  return FloorGrid(std::move(program).value());
+  return FloorGrid(*std::move(program));
 }
 
-FloorGrid::FloorGrid(GlProgram program)
+FloorGrid::FloorGrid(Program program)
     : program_(std::move(program)), no_attributes_(GlVertexArray::create()) {}
+
+void FloorGrid::set_uniforms(const Eyes& eyes, Rgb8 line) const {
+  using shaders::floor_grid_frag;
+  using shaders::floor_grid_vert;
+  set_eyes(program_, eyes);
+  program_.set(floor_grid_vert::clip_from_world, clip_from_world(eyes));
+  program_.set(floor_grid_vert::eye_m, {eyes[0].world_from_view.translation_m.cast<float>(),
+                                        eyes[1].world_from_view.translation_m.cast<float>()});
+  program_.set(floor_grid_vert::reach_m, kReachM);
+  const Eigen::Vector3f color(line.r, line.g, line.b);
+  program_.set(floor_grid_frag::line,
+               {color.x() / 255, color.y() / 255, color.z() / 255, kStrength});
+}
 
 void FloorGrid::draw(const Eyes& eyes, Rgb8 line) const {
   constexpr GLuint kPicture = 0, kSensors = 1;
   const EyeBorders borders(eyes);
-  set_uniforms(program_, eyes, line);
-  glUseProgram(program_.name());
+  set_uniforms(eyes, line);
+  program_.use();
   glBindVertexArray(no_attributes_.name());
   glDisable(GL_DEPTH_TEST);
   glColorMaski(kSensors, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);

@@ -5,7 +5,6 @@
 #pragma once
 
 #include "roomcast/core/image.h"
-#include "roomcast/render/gl/gl_program.h"
 #include "roomcast/render/view/eyes.h"
 
 namespace roomcast::render {
@@ -18,9 +17,13 @@ class FloorGrid {
   void draw(const Eyes& eyes, Rgb8 line) const;
 
  private:
-  explicit FloorGrid(GlProgram program);
+  using Program = DrawProgram<Vertex<shaders::eyes_glsl, shaders::floor_grid_vert>,
+                              Fragment<shaders::floor_grid_frag>>;
 
-  GlProgram program_;
+  explicit FloorGrid(Program program);
+  void set_uniforms(const Eyes& eyes, Rgb8 line) const;
+
+  Program program_;
   GlVertexArray no_attributes_;
 };
 

@@ -18,9 +18,14 @@ class MeshRenderer {
   void draw(const SensorSurface& surface, const SurfaceMesh& mesh, const SurfaceView& view) const;
 
  private:
-  explicit MeshRenderer(GlProgram program);
+  using Program = DrawProgram<
+      Vertex<shaders::eyes_glsl, shaders::surface_view_glsl, shaders::sensor_surface_glsl,
+             shaders::newest_in_view_glsl, shaders::mesh_vert>,
+      Fragment<shaders::mesh_frag>>;
 
-  GlProgram program_;
+  explicit MeshRenderer(Program program);
+
+  Program program_;
   GlVertexArray vertices_;
 };
 

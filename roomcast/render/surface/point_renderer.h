@@ -4,9 +4,8 @@
 // into the bound framebuffer; needs the GL context it was made with.
 #pragma once
 
-#include <array>
+#include <string_view>
 
-#include "roomcast/render/gl/gl_program.h"
 #include "roomcast/render/surface/sensor_surface.h"
 #include "roomcast/render/view/surface_view.h"
 
@@ -22,10 +21,30 @@ class PointRenderer {
   void draw(const SensorSurface& surface, const SurfaceView& view, PointSize size) const;
 
  private:
-  PointRenderer(GlProgram for_one_eye, GlProgram for_two);
+  struct ForOneEye {
+    static constexpr std::string_view text = "const bool kTwoEyes = false;\n";
+  };
+  struct ForTwoEyes {
+    static constexpr std::string_view text = "const bool kTwoEyes = true;\n";
+  };
+  template <class Eyes>
+  using Program = DrawProgram<
+      Vertex<shaders::eyes_glsl, shaders::surface_view_glsl, shaders::sensor_surface_glsl,
+             shaders::newest_in_view_glsl, shaders::points_vert>,
+      Fragment<Eyes, shaders::points_frag>>;
+  using AnyProgram =
+      ProgramWith<shaders::eyes_glsl, shaders::surface_view_glsl, shaders::sensor_surface_glsl,
+                  shaders::points_vert, shaders::points_frag>;
+  struct Programs {
+    Program<ForOneEye> for_one_eye;
+    Program<ForTwoEyes> for_two_eyes;
+  };
 
-  std::array<GlProgram, kMaxEyes> programs_;  // for one eye, for two
-  GlVertexArray no_attributes_;               // the core profile requires one
+  explicit PointRenderer(Programs programs);
+  [[nodiscard]] AnyProgram program_for(const Eyes& eyes) const;
+
+  Programs programs_;
+  GlVertexArray no_attributes_;  // the core profile requires one
 };
 
 }  // namespace roomcast::render

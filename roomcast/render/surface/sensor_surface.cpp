@@ -7,9 +7,7 @@
 namespace roomcast::render {
 namespace {
 
-// As in shaders/sensor_surface.glsl.
-enum TextureUnit : GLuint { kDepthUnit = 0, kRaysUnit = 1, kColorUnit = 2, kSeenUnit = 3 };
-constexpr float kNoRay = 1e6F;
+constexpr float kNoRay = 1e6F;  // as in shaders/sensor_surface.glsl
 
 void clear(const GlTexture& texture, GLenum format, GLenum type) {
   glClearTexImage(texture.name(), 0, format, type, nullptr);
@@ -96,11 +94,11 @@ void SensorSurface::set_color_scale(int scale) {
   color_ = make_texture(GL_RGB8, scale * intrinsics_.width, scale * intrinsics_.height);
 }
 
-void SensorSurface::bind() const {
-  glBindTextureUnit(kDepthUnit, depth_mm_.name());
-  glBindTextureUnit(kRaysUnit, rays_.name());
-  glBindTextureUnit(kColorUnit, color_.name());
-  glBindTextureUnit(kSeenUnit, seen_.name());
+void SensorSurface::bind_to(ProgramWith<shaders::sensor_surface_glsl> program) const {
+  program.bind(shaders::sensor_surface_glsl::depth_mm, depth_mm_);
+  program.bind(shaders::sensor_surface_glsl::rays, rays_);
+  program.bind(shaders::sensor_surface_glsl::color, color_);
+  program.bind(shaders::sensor_surface_glsl::seen, seen_);
 }
 
 }  // namespace roomcast::render

@@ -10,7 +10,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/camera_model.h"
-#include "roomcast/render/gl/gl_object.h"
+#include "roomcast/render/gl/shaders.h"
 
 namespace roomcast::render {
 
@@ -28,8 +28,8 @@ class SensorSurface {
   /// kept.
   Status upload(DepthView depth_mm, ColorView color, MaskView seen);
 
-  /// Binds the textures to the units of shaders/sensor_surface.glsl.
-  void bind() const;
+  /// Binds the pictures for a program that reads them.
+  void bind_to(ProgramWith<shaders::sensor_surface_glsl> program) const;
 
   [[nodiscard]] const GlTexture& depth_mm() const { return depth_mm_; }
   [[nodiscard]] const GlTexture& rays() const { return rays_; }

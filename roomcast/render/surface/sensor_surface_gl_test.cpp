@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "roomcast/render/gl/gl_fixture.h"
-#include "roomcast/render/surface/sensor_surface.h"
 #include "roomcast/render/surface/sensor_pictures_fixture.h"
+#include "roomcast/render/surface/sensor_surface.h"
 
 namespace roomcast::render {
 namespace {
@@ -13,11 +13,22 @@ using SensorSurfaceTest = GlTest;
 
 constexpr int kWidth = 5, kHeight = 3;  // a row of colour is not a multiple of four bytes
 
-// The texel that a shader fetches from the unit given in shaders/sensor_surface.glsl.
-template <class T>
-Image<T> bound_texture(GLint unit, GLenum format, GLenum type) {
+struct ReadsNothing {
+  static constexpr std::string_view text = "layout(local_size_x = 1) in; void main() {}";
+  static constexpr std::array<int, 2> local_size = {1, 1};
+};
+
+void bind_for_shaders(const SensorSurface& surface) {
+  const auto reader = ComputeProgram<shaders::sensor_surface_glsl, ReadsNothing>::create();
+  ASSERT_TRUE(reader.ok()) << reader.error().message;
+  surface.bind_to(*reader);
+}
+
+/// The texture that shaders read by this sampler.
+template <class T, class Sampler>
+Image<T> bound_texture(Sampler sampler, GLenum format, GLenum type) {
   GLint name = 0;
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glActiveTexture(GL_TEXTURE0 + sampler.unit);
   glGetIntegerv(GL_TEXTURE_BINDING_2D, &name);
   Image<T> image(kWidth, kHeight);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -39,18 +50,24 @@ SensorPictures numbered_pictures() {
   return pictures;
 }
 
-void expect_bound(const SensorPictures& pictures) {
-  EXPECT_EQ(bound_texture<std::uint16_t>(0, GL_RED_INTEGER, GL_UNSIGNED_SHORT), pictures.depth_mm);
-  EXPECT_EQ(bound_texture<Rgb8>(2, GL_RGB, GL_UNSIGNED_BYTE), pictures.color);
-  EXPECT_EQ(bound_texture<std::uint8_t>(3, GL_RED_INTEGER, GL_UNSIGNED_BYTE), pictures.seen);
+void expect_bound(const SensorSurface& surface, const SensorPictures& pictures) {
+  using shaders::sensor_surface_glsl;
+  bind_for_shaders(surface);
+  EXPECT_EQ(bound_texture<std::uint16_t>(sensor_surface_glsl::depth_mm, GL_RED_INTEGER,
+                                         GL_UNSIGNED_SHORT),
+            pictures.depth_mm);
+  EXPECT_EQ(bound_texture<Rgb8>(sensor_surface_glsl::color, GL_RGB, GL_UNSIGNED_BYTE),
+            pictures.color);
+  EXPECT_EQ(
+      bound_texture<std::uint8_t>(sensor_surface_glsl::seen, GL_RED_INTEGER, GL_UNSIGNED_BYTE),
+      pictures.seen);
 }
 
 TEST_F(SensorSurfaceTest, begins_without_depth) {
   const Result<SensorSurface> surface = SensorSurface::create(pinhole(kWidth, kHeight, 4));
   ASSERT_TRUE(surface.ok());
-  surface->bind();
-  expect_bound(
-      {DepthImage(kWidth, kHeight), ColorImage(kWidth, kHeight), MaskImage(kWidth, kHeight)});
+  expect_bound(*surface, {DepthImage(kWidth, kHeight), ColorImage(kWidth, kHeight),
+                          MaskImage(kWidth, kHeight)});
   EXPECT_EQ(surface->revision(), 0U);
 }
 
@@ -60,8 +77,7 @@ TEST_F(SensorSurfaceTest, the_gpu_gets_every_bit_of_the_pictures) {
   const SensorPictures pictures = numbered_pictures();
   ASSERT_TRUE(surface->upload(pictures.depth_mm, pictures.color, pictures.seen).ok());
   EXPECT_EQ(surface->revision(), 1U);
-  surface->bind();
-  expect_bound(pictures);
+  expect_bound(*surface, pictures);
 }
 
 TEST_F(SensorSurfaceTest, a_frame_without_color_leaves_nothing_seen) {
@@ -74,8 +90,7 @@ TEST_F(SensorSurfaceTest, a_frame_without_color_leaves_nothing_seen) {
   EXPECT_FALSE(surface->upload(pictures.depth_mm, pictures.color, MaskImage()).ok());
   EXPECT_FALSE(surface->upload(pictures.depth_mm, ColorImage(), pictures.seen).ok());
   pictures.seen = MaskImage(kWidth, kHeight, 0);
-  surface->bind();
-  expect_bound(pictures);
+  expect_bound(*surface, pictures);
 }
 
 TEST_F(SensorSurfaceTest, color_may_be_twice_as_fine_as_depth_and_nothing_between) {
@@ -89,8 +104,7 @@ TEST_F(SensorSurfaceTest, color_may_be_twice_as_fine_as_depth_and_nothing_betwee
   EXPECT_FALSE(surface->upload(pictures.depth_mm, half, pictures.seen).ok());
   EXPECT_FALSE(surface->upload(pictures.depth_mm, huge, pictures.seen).ok());
   ASSERT_TRUE(surface->upload(pictures.depth_mm, pictures.color, pictures.seen).ok());
-  surface->bind();
-  expect_bound(pictures);
+  expect_bound(*surface, pictures);
 }
 
 TEST_F(SensorSurfaceTest, the_gpu_gets_the_ray_table) {
@@ -98,8 +112,9 @@ TEST_F(SensorSurfaceTest, the_gpu_gets_the_ray_table) {
   lens.k1 = 0.1;
   const Result<SensorSurface> surface = SensorSurface::create(lens);
   ASSERT_TRUE(surface.ok());
-  surface->bind();
-  const auto on_gpu = bound_texture<std::array<float, 2>>(1, GL_RG, GL_FLOAT);
+  bind_for_shaders(*surface);
+  const auto on_gpu =
+      bound_texture<std::array<float, 2>>(shaders::sensor_surface_glsl::rays, GL_RG, GL_FLOAT);
   const Image<Eigen::Vector2f> expected = ray_table(lens);
   for (int i = 0; i < kWidth * kHeight; ++i) {
     EXPECT_EQ(on_gpu.data()[i][0], expected.data()[i].x());
@@ -116,8 +131,7 @@ TEST_F(SensorSurfaceTest, a_refused_picture_leaves_the_last_one) {
   const DepthImage other_depth(kWidth, kHeight, 1);
   EXPECT_FALSE(surface->upload(other_depth, pictures.color, narrow).ok());
   EXPECT_EQ(surface->revision(), 1U);
-  surface->bind();
-  expect_bound(pictures);
+  expect_bound(*surface, pictures);
 }
 
 TEST_F(SensorSurfaceTest, illegal_and_oversized_lenses_are_refused) {

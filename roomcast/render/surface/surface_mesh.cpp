@@ -4,23 +4,14 @@
 #include <cmath>
 
 #include "roomcast/core/assert.h"
-#include "roomcast/render/gl/shader_sources.h"
 
 namespace roomcast::render {
 namespace {
 
-// As in shaders/surface_mesh.comp.
-enum UniformLocation : GLint { kGridStep = 4, kCells = 5, kMaxGap = 6 };
-constexpr GLuint kIndicesBinding = 0;
-constexpr int kGroupWidth = 16, kGroupHeight = 8;
 constexpr int kIndicesPerCell = 6;
 
 bool legal_gap(double gap) {
   return gap >= 0 && std::isfinite(gap);
-}
-
-GLuint groups(int cells, int per_group) {
-  return static_cast<GLuint>((cells + per_group - 1) / per_group);
 }
 
 bool up_to_date(const SurfaceMesh& mesh, const SensorSurface& surface,
@@ -50,10 +41,9 @@ Status SurfaceMeshOptions::check() const {
 static_assert(kMaxGridStep == 16, "the sentence above says so");
 
 Result<SurfaceMesher> SurfaceMesher::create() {
-  Result<GlProgram> program = make_program(
-      {{GL_COMPUTE_SHADER, {shaders::sensor_surface_glsl, shaders::surface_mesh_comp}}});
+  Result<Program> program = Program::create();
   if (!program) return std::move(program).error();
-  return SurfaceMesher(std::move(program).value());
+  return SurfaceMesher(*std::move(program));
 }
 
 void SurfaceMesher::update(const SensorSurface& surface, const SurfaceMeshOptions& options,
@@ -67,15 +57,14 @@ void SurfaceMesher::update(const SensorSurface& surface, const SurfaceMeshOption
   mesh.options = options;
   if (mesh.count == 0) return;
 
-  glProgramUniform1i(program_.name(), kGridStep, options.grid_step);
-  glProgramUniform2i(program_.name(), kCells, cells_x, cells_y);
-  glProgramUniform2f(program_.name(), kMaxGap, static_cast<float>(options.max_gap_m),
-                     static_cast<float>(options.max_gap_per_m));
-  surface.bind();
-  glUseProgram(program_.name());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kIndicesBinding, mesh.indices.name());
-  glDispatchCompute(groups(cells_x, kGroupWidth), groups(cells_y, kGroupHeight), 1);
-  glMemoryBarrier(GL_ELEMENT_ARRAY_BARRIER_BIT);
+  using shaders::surface_mesh_comp;
+  program_.set(surface_mesh_comp::grid_step, options.grid_step);
+  program_.set(surface_mesh_comp::cells, {cells_x, cells_y});
+  program_.set(surface_mesh_comp::max_gap,
+               {static_cast<float>(options.max_gap_m), static_cast<float>(options.max_gap_per_m)});
+  surface.bind_to(program_);
+  program_.bind(surface_mesh_comp::Indices, mesh.indices);
+  program_.run(cells_x, cells_y, 1, GL_ELEMENT_ARRAY_BARRIER_BIT);
 }
 
 }  // namespace roomcast::render

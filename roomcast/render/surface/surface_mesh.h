@@ -6,7 +6,6 @@
 
 #include <cstdint>
 
-#include "roomcast/render/gl/gl_program.h"
 #include "roomcast/render/surface/sensor_surface.h"
 
 namespace roomcast::render {
@@ -44,9 +43,11 @@ class SurfaceMesher {
               SurfaceMesh& mesh) const;
 
  private:
-  explicit SurfaceMesher(GlProgram program) : program_(std::move(program)) {}
+  using Program = ComputeProgram<shaders::sensor_surface_glsl, shaders::surface_mesh_comp>;
 
-  GlProgram program_;
+  explicit SurfaceMesher(Program program) : program_(std::move(program)) {}
+
+  Program program_;
 };
 
 }  // namespace roomcast::render

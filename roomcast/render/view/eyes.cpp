@@ -6,7 +6,6 @@
 namespace roomcast::render {
 namespace {
 
-constexpr GLint kEyes = 15;  // uniform of shaders/eyes.glsl
 constexpr std::array<GLenum, 2> kPlanes = {GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE1};
 
 bool fit_together(const ViewCamera& a, const ViewCamera& b) {
@@ -36,12 +35,8 @@ EyeMatrices clip_from_world(const Eyes& eyes) {
   return matrices;
 }
 
-void set_eyes(const GlProgram& program, const Eyes& eyes) {
-  glProgramUniform1i(program.name(), kEyes, eyes.count());
-}
-
-void set_matrices(const GlProgram& program, GLint location, const EyeMatrices& matrices) {
-  glProgramUniformMatrix4fv(program.name(), location, kMaxEyes, GL_FALSE, matrices[0].data());
+void set_eyes(ProgramWith<shaders::eyes_glsl> program, const Eyes& eyes) {
+  program.set(shaders::eyes_glsl::eyes, eyes.count());
 }
 
 EyeBorders::EyeBorders(const Eyes& eyes) : are_there_(eyes.count() > 1) {

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <span>
 
-#include "roomcast/render/gl/gl_program.h"
+#include "roomcast/render/gl/shaders.h"
 #include "roomcast/render/view/view_camera.h"
 
 namespace roomcast::render {
@@ -46,10 +46,8 @@ using EyeMatrices = std::array<Eigen::Matrix4f, kMaxEyes>;
 /// World -> clip.
 [[nodiscard]] EyeMatrices clip_from_world(const Eyes& eyes);
 
-/// Sets the number of eyes in a program with shaders/eyes.glsl.
-void set_eyes(const GlProgram& program, const Eyes& eyes);
-/// Sets a `uniform mat4[2]`.
-void set_matrices(const GlProgram& program, GLint location, const EyeMatrices& matrices);
+/// Sets the number of eyes.
+void set_eyes(ProgramWith<shaders::eyes_glsl> program, const Eyes& eyes);
 
 /// Confines drawing for each eye to that eye's part of the picture for the lifetime of this object.
 /// Only programs with shaders/eyes.glsl may draw meanwhile.

@@ -2,12 +2,6 @@
 #include "roomcast/render/view/surface_view.h"
 
 namespace roomcast::render {
-namespace {
-
-// As in shaders/.
-enum UniformLocation : GLint { kClipFromView = 0, kViewFromDepth = 2, kSensor = 4 };
-
-}  // namespace
 
 SurfaceView surface_view(SensorId sensor, const RigidTransform& world_from_depth,
                          const Eyes& eyes) {
@@ -21,12 +15,14 @@ SurfaceView surface_view(SensorId sensor, const RigidTransform& world_from_depth
   return view;
 }
 
-void set_surface_view(const GlProgram& program, const SurfaceView& view) {
+void set_surface_view(ProgramWith<shaders::eyes_glsl, shaders::surface_view_glsl> program,
+                      const SurfaceView& view) {
+  using shaders::surface_view_glsl;
   set_eyes(program, view.eyes);
-  set_matrices(program, kClipFromView,
-               {clip_from_view(view.eyes[0]), clip_from_view(view.eyes[1])});
-  set_matrices(program, kViewFromDepth, view.view_from_depth);
-  glProgramUniform1i(program.name(), kSensor, view.sensor.value);
+  program.set(surface_view_glsl::clip_from_view,
+              {clip_from_view(view.eyes[0]), clip_from_view(view.eyes[1])});
+  program.set(surface_view_glsl::view_from_depth, view.view_from_depth);
+  program.set(surface_view_glsl::sensor, GLint{view.sensor.value});
 }
 
 Eigen::Matrix4f matrix_from_transform(const RigidTransform& transform) {

@@ -7,7 +7,7 @@
 
 #include "roomcast/core/ids.h"
 #include "roomcast/geometry/rigid_transform.h"
-#include "roomcast/render/gl/gl_program.h"
+#include "roomcast/render/gl/shaders.h"
 #include "roomcast/render/view/eyes.h"
 
 namespace roomcast::render {
@@ -21,9 +21,9 @@ struct SurfaceView {
 [[nodiscard]] SurfaceView surface_view(SensorId sensor, const RigidTransform& world_from_depth,
                                        const Eyes& eyes);
 
-/// Sets the uniforms that all surface shaders share (shaders/eyes.glsl, shaders/surface_view.glsl,
-/// `sensor`).
-void set_surface_view(const GlProgram& program, const SurfaceView& view);
+/// Sets the uniforms that all surface shaders share.
+void set_surface_view(ProgramWith<shaders::eyes_glsl, shaders::surface_view_glsl> program,
+                      const SurfaceView& view);
 
 /// The transform as a 4x4 matrix for OpenGL.
 [[nodiscard]] Eigen::Matrix4f matrix_from_transform(const RigidTransform& transform);

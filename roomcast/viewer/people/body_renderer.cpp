@@ -5,22 +5,12 @@
 
 #include <Eigen/Geometry>
 
-#include "roomcast/render/gl/shader_sources.h"
 #include "roomcast/render/view/surface_view.h"
 #include "roomcast/viewer/people/drawing_over.h"
-#include "roomcast/viewer/people/shader_sources.h"
 
 namespace roomcast::viewer {
 namespace {
 
-// As in shaders/body.*.
-enum UniformLocation : GLint {
-  kClipFromWorld = 0,
-  kWorldFromBall = 2,
-  kWorldFromNormal = 3,
-  kColor = 4,
-  kOwnLight = 5,
-};
 constexpr GLsizei kSectors = 32, kRings = 16;
 
 const Eigen::Vector3d kSkull_m(0.101, 0.129, 0.115);
@@ -39,14 +29,12 @@ RigidTransform at(const Eigen::Vector3d& place_m) {
 }  // namespace
 
 Result<BodyRenderer> BodyRenderer::create() {
-  Result<render::GlProgram> program =
-      render::make_program({{GL_VERTEX_SHADER, {render::shaders::eyes_glsl, shaders::body_vert}},
-                            {GL_FRAGMENT_SHADER, {shaders::body_frag}}});
+  Result<Program> program = Program::create();
   if (!program) return std::move(program).error();
-  return BodyRenderer(std::move(program).value());
+  return BodyRenderer(*std::move(program));
 }
 
-BodyRenderer::BodyRenderer(render::GlProgram program)
+BodyRenderer::BodyRenderer(Program program)
     : program_(std::move(program)), no_attributes_(render::GlVertexArray::create()) {}
 
 void BodyRenderer::draw(const render::Eyes& eyes, std::span<const Avatar> avatars) {
@@ -67,8 +55,8 @@ void BodyRenderer::draw_own(const render::Eyes& eyes, const client::PersonPose& 
 void BodyRenderer::begin(const render::Eyes& eyes) {
   eyes_ = eyes.count();
   render::set_eyes(program_, eyes);
-  render::set_matrices(program_, kClipFromWorld, render::clip_from_world(eyes));
-  glUseProgram(program_.name());
+  program_.set(shaders::body_vert::clip_from_world, render::clip_from_world(eyes));
+  program_.use();
   glBindVertexArray(no_attributes_.name());
 }
 
@@ -101,12 +89,12 @@ void BodyRenderer::draw_ball(const RigidTransform& world_from_ball, const Eigen:
   const Eigen::Matrix3f normals =
       matrix.topLeftCorner<3, 3>() * radii.cwiseInverse().asDiagonal().toDenseMatrix();
   matrix.topLeftCorner<3, 3>() *= radii.asDiagonal().toDenseMatrix();
-  const GLuint program = program_.name();
-  glProgramUniformMatrix4fv(program, kWorldFromBall, 1, GL_FALSE, matrix.data());
-  glProgramUniformMatrix3fv(program, kWorldFromNormal, 1, GL_FALSE, normals.data());
-  glProgramUniform3f(program, kColor, static_cast<float>(color.r) / 255,
-                     static_cast<float>(color.g) / 255, static_cast<float>(color.b) / 255);
-  glProgramUniform1f(program, kOwnLight, own_light);
+  program_.set(shaders::body_vert::world_from_ball, matrix);
+  program_.set(shaders::body_vert::world_from_normal, normals);
+  program_.set(shaders::body_frag::color,
+               {static_cast<float>(color.r) / 255, static_cast<float>(color.g) / 255,
+                static_cast<float>(color.b) / 255});
+  program_.set(shaders::body_frag::own_light, own_light);
   glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * kSectors * kRings, eyes_);
 }
 

@@ -9,9 +9,9 @@
 
 #include "roomcast/client/room/person_pose.h"
 #include "roomcast/core/image.h"
-#include "roomcast/render/gl/gl_program.h"
 #include "roomcast/render/view/eyes.h"
 #include "roomcast/viewer/people/avatars.h"
+#include "roomcast/viewer/people/shaders.h"
 
 namespace roomcast::viewer {
 
@@ -25,7 +25,11 @@ class BodyRenderer {
   void draw_own(const render::Eyes& eyes, const client::PersonPose& self, Rgb8 color);
 
  private:
-  explicit BodyRenderer(render::GlProgram program);
+  using Program =
+      render::DrawProgram<render::Vertex<render::shaders::eyes_glsl, shaders::body_vert>,
+                          render::Fragment<shaders::body_frag>>;
+
+  explicit BodyRenderer(Program program);
   void begin(const render::Eyes& eyes);
   void draw_head(const RigidTransform& world_from_head, Rgb8 color) const;
   void draw_hands_and_beam(const client::PersonPose& pose, Rgb8 color) const;
@@ -33,7 +37,7 @@ class BodyRenderer {
   void draw_ball(const RigidTransform& world_from_ball, const Eigen::Vector3d& radii_m, Rgb8 color,
                  float own_light) const;
 
-  render::GlProgram program_;
+  Program program_;
   render::GlVertexArray no_attributes_;
   GLsizei eyes_ = 1;  // of the picture being drawn
 };

@@ -7,17 +7,12 @@
 
 #include <Eigen/Geometry>
 
-#include "roomcast/render/gl/shader_sources.h"
 #include "roomcast/render/view/surface_view.h"
 #include "roomcast/viewer/people/drawing_over.h"
-#include "roomcast/viewer/people/shader_sources.h"
 
 namespace roomcast::viewer {
 namespace {
 
-// As in shaders/label.*.
-enum UniformLocation : GLint { kClipFromLabel = 0, kLetters = 2, kColor = 3, kPlate = 4 };
-enum Attribute : GLuint { kPlace = 0, kInAtlas = 1 };
 constexpr GLsizei kPlateCorners = 6;
 
 constexpr float kLetterHeight_m = 0.058F;
@@ -39,13 +34,15 @@ render::GlVertexArray vertices_in(const render::GlBuffer& buffer) {
   render::GlVertexArray vertices = render::GlVertexArray::create();
   const GLuint name = vertices.name();
   glVertexArrayVertexBuffer(name, 0, buffer.name(), 0, sizeof(LabelCorner));
-  const auto add = [name](Attribute attribute, std::size_t offset) {
-    glEnableVertexArrayAttrib(name, attribute);
-    glVertexArrayAttribFormat(name, attribute, 2, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
-    glVertexArrayAttribBinding(name, attribute, 0);
+  const auto add = [name](render::glsl::VertexInput<shaders::label_vert, Eigen::Vector2f> input,
+                          std::size_t offset) {
+    glEnableVertexArrayAttrib(name, input.location);
+    glVertexArrayAttribFormat(name, input.location, 2, GL_FLOAT, GL_FALSE,
+                              static_cast<GLuint>(offset));
+    glVertexArrayAttribBinding(name, input.location, 0);
   };
-  add(kPlace, offsetof(LabelCorner, place_m));
-  add(kInAtlas, offsetof(LabelCorner, in_atlas));
+  add(shaders::label_vert::place, offsetof(LabelCorner, place_m));
+  add(shaders::label_vert::in_atlas, offsetof(LabelCorner, in_atlas));
   return vertices;
 }
 
@@ -66,21 +63,18 @@ RigidTransform world_from_label(const RigidTransform& world_from_view,
 }
 
 Result<LabelRenderer> LabelRenderer::create() {
-  Result<render::GlProgram> program =
-      render::make_program({{GL_VERTEX_SHADER, {render::shaders::eyes_glsl, shaders::label_vert}},
-                    {GL_FRAGMENT_SHADER, {shaders::label_frag}}});
+  Result<Program> program = Program::create();
   if (!program) return std::move(program).error();
-  return LabelRenderer(std::move(program).value());
+  return LabelRenderer(*std::move(program));
 }
 
 void LabelRenderer::draw(const render::Eyes& eyes, std::span<const Avatar> avatars) {
   forget_who_left(avatars);
   const DrawingOver room(DrawingOver::kTransparent);
   const render::EyeMatrices clip_from_room = render::clip_from_world(eyes);
-  glUseProgram(program_.name());
+  program_.use();
   render::set_eyes(program_, eyes);
-  glBindTextureUnit(0, font_.texture().name());
-  glProgramUniform1i(program_.name(), kLetters, 0);
+  program_.bind(shaders::label_frag::letters, font_.texture());
   for (const Avatar& avatar : avatars) {
     render::EyeMatrices clip_from_label = clip_from_room;
     for (std::size_t eye = 0; eye < clip_from_label.size(); ++eye) {
@@ -121,14 +115,14 @@ LabelRenderer::Label LabelRenderer::make_label(const std::string& text) const {
 
 void LabelRenderer::draw_label(const Label& label, const render::EyeMatrices& clip_from_label,
                                GLsizei eyes) const {
-  const GLuint program = program_.name();
-  render::set_matrices(program_, kClipFromLabel, clip_from_label);
+  using shaders::label_frag;
+  program_.set(shaders::label_vert::clip_from_label, clip_from_label);
   glBindVertexArray(label.vertices.name());
-  glProgramUniform2f(program, kPlate, label.width_m / 2 + kPlateMargin_m, kPlateHeight_m / 2);
-  glProgramUniform4f(program, kColor, 0.05F, 0.067F, 0.09F, 0.72F);
+  program_.set(label_frag::plate_m, {label.width_m / 2 + kPlateMargin_m, kPlateHeight_m / 2});
+  program_.set(label_frag::color, {0.05F, 0.067F, 0.09F, 0.72F});
   glDrawArraysInstanced(GL_TRIANGLES, 0, kPlateCorners, eyes);
-  glProgramUniform2f(program, kPlate, 0, 0);
-  glProgramUniform4f(program, kColor, 0.95F, 0.96F, 0.97F, 1);
+  program_.set(label_frag::plate_m, {0, 0});
+  program_.set(label_frag::color, {0.95F, 0.96F, 0.97F, 1});
   glDrawArraysInstanced(GL_TRIANGLES, kPlateCorners, label.letter_corners, eyes);
 }
 

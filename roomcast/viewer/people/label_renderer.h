@@ -8,9 +8,9 @@
 #include <string>
 
 #include "roomcast/core/ids.h"
-#include "roomcast/render/gl/gl_program.h"
 #include "roomcast/render/view/eyes.h"
 #include "roomcast/viewer/people/avatars.h"
+#include "roomcast/viewer/people/shaders.h"
 #include "roomcast/viewer/text/label_font.h"
 
 namespace roomcast::viewer {
@@ -31,14 +31,18 @@ class LabelRenderer {
     float width_m = 0;
   };
 
-  explicit LabelRenderer(render::GlProgram program) : program_(std::move(program)) {}
+  using Program =
+      render::DrawProgram<render::Vertex<render::shaders::eyes_glsl, shaders::label_vert>,
+                          render::Fragment<shaders::label_frag>>;
+
+  explicit LabelRenderer(Program program) : program_(std::move(program)) {}
   const Label& label_of(const Avatar& avatar);
   [[nodiscard]] Label make_label(const std::string& text) const;
   void draw_label(const Label& label, const render::EyeMatrices& clip_from_label,
                   GLsizei eyes) const;
   void forget_who_left(std::span<const Avatar> avatars);
 
-  render::GlProgram program_;
+  Program program_;
   LabelFont font_;
   std::map<ViewerId, Label> labels_;
 };

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/render/gl/gl_fixture.h"
+#include "roomcast/render/gl/shader_variables_fixture.h"
 #include "roomcast/viewer/people/people_view.h"
+#include "roomcast/viewer/people/shaders.h"
 
 namespace roomcast::viewer {
 namespace {
@@ -58,6 +60,14 @@ class PeopleViewTest : public render::GlTest {
   Image<std::int32_t> sensors;
   Image<float> depth_m;
 };
+
+TEST_F(PeopleViewTest, has_its_shaders_variables_where_they_are_declared) {
+  const int programs = render::expect_programs_as_declared([](auto& visitor) {
+    render::shaders::visit_all(visitor);
+    shaders::visit_all(visitor);
+  });
+  EXPECT_EQ(programs, 2);
+}
 
 TEST_F(PeopleViewTest, a_head_has_its_size_its_colour_and_its_depth) {
   room.people[0].pose->world_from_head.rotation.setIdentity();  // seen from behind, without visor

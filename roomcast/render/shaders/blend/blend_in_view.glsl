@@ -1,5 +1,5 @@
 // Transforms a cleaned surface to the view. Comes before vertex shaders, after eyes.glsl, surface_view.glsl and
-// blend_surface.glsl. Locations as in surface_layer.cpp.
+// blend_surface.glsl.
 
 layout(location = 5) uniform float setback_m;  // along the eye's ray
 

@@ -1,5 +1,5 @@
-// Inputs of a cleaned surface of one sensor. Comes before the shaders that draw such surfaces. Bindings as in
-// surface_layer.cpp; the mesh's indices come from adaptive_mesh.comp.
+// Inputs of a cleaned surface of one sensor. Comes before the shaders that draw such surfaces. The
+// mesh's indices come from adaptive_mesh.comp.
 
 layout(binding = 0) uniform sampler2D depth_m;  // 0: no surface
 layout(binding = 1) uniform sampler2D rays;

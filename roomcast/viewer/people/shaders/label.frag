@@ -1,4 +1,4 @@
-layout(location = 2) uniform sampler2D letters;
+layout(binding = 0) uniform sampler2D letters;
 layout(location = 3) uniform vec4 color;
 layout(location = 4) uniform vec2 plate_m;  // half of its width and height; 0: a letter
 
