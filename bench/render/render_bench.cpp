@@ -132,8 +132,8 @@ Result<render::RoomRenderer> RenderBench::room_of(render::RenderMode mode) {
   render::RenderOptions look;
   look.floor_grid = false;
   look.background = {};
-  look.remember = render::remembers_background(mode);
-  if (auto status = room->set_look(look); !status) return status.error();
+  look.update_background = render::uses_background_model(mode);
+  if (auto status = room->set_options(look); !status) return status.error();
   std::mt19937_64 random(options_.pose_seed);
   for (std::size_t s = 0; s < frames_.sensors().size(); ++s) {
     const RigFrames::Sensor& sensor = frames_.sensors()[s];
@@ -154,7 +154,7 @@ bool RenderBench::is_compared(std::size_t sensor, std::uint64_t number) const {
 /// Draws all frames of the recording except the compared ones, in time order, for modes that use
 /// the background model.
 Status RenderBench::warm_up(render::RoomRenderer& room, render::RenderMode mode) {
-  if (!render::remembers_background(mode)) return {};
+  if (!render::uses_background_model(mode)) return {};
   std::size_t longest = 0;
   for (const auto& sensor : frames_.sensors()) {
     longest = std::max(longest, sensor.recording.frames.size());

@@ -35,7 +35,7 @@ inline constexpr std::array kRenderModes = {RenderMode::kPoints, RenderMode::kSp
 }
 
 /// True if a picture in this mode also depends on earlier frames.
-[[nodiscard]] constexpr bool remembers_background(RenderMode mode) {
+[[nodiscard]] constexpr bool uses_background_model(RenderMode mode) {
   return mode == RenderMode::kAdaptive || mode == RenderMode::kBlend;
 }
 

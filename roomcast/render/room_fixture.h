@@ -27,10 +27,10 @@ class RoomTest : public GlTest {
     Result<RoomRenderer> made = RoomRenderer::create();
     ASSERT_TRUE(made.ok()) << made.error().message;
     room_ = std::move(made).value();
-    look_.background = kNothing;
-    look_.floor_grid = false;
-    look_.unseen = Unseen::kBackground;
-    ASSERT_TRUE(room_->set_look(look_).ok());
+    options_.background = kNothing;
+    options_.floor_grid = false;
+    options_.unseen = Unseen::kBackground;
+    ASSERT_TRUE(room_->set_options(options_).ok());
   }
 
   void TearDown() override {
@@ -55,7 +55,7 @@ class RoomTest : public GlTest {
   }
 
   std::optional<RoomRenderer> room_;
-  RenderOptions look_;
+  RenderOptions options_;
 };
 
 /// The eye that sees the same picture as an ideal pinhole camera at the same pose.

@@ -10,7 +10,7 @@ namespace roomcast::render {
 
 Result<RoomRenderer> RoomRenderer::create() {
   auto parts = create_parts(&Parts::points, &Parts::mesher, &Parts::meshes, &Parts::floor,
-                            &Parts::memories, &Parts::adaptive, &Parts::blend);
+                            &Parts::updater, &Parts::adaptive, &Parts::blend);
   if (!parts) return std::move(parts).error();
   return RoomRenderer(*std::move(parts));
 }
@@ -28,7 +28,7 @@ Status RoomRenderer::set_sensor(SensorId id, const CameraIntrinsics& depth,
       return {};
     }
     pose = world_from_depth;
-    for (auto& [other, sensor] : sensors_) sensor.memory_is_fresh = false;
+    for (auto& [other, sensor] : sensors_) sensor.model_is_fresh = false;
     return {};
   }
   if (known == sensors_.end() && sensors_.size() >= kMaxRenderedSensors) {
@@ -42,10 +42,11 @@ Status RoomRenderer::set_sensor(SensorId id, const CameraIntrinsics& depth,
 }
 static_assert(kMaxRenderedSensors == 64, "the sentence above says so");
 
-void RoomRenderer::set_apart(SensorId id, bool apart) {
+void RoomRenderer::set_unplaced(SensorId id, bool unplaced) {
   const auto known = sensors_.find(id);
-  if (known == sensors_.end() || std::exchange(known->second.is_apart, apart) == apart) return;
-  for (auto& [other, sensor] : sensors_) sensor.memory_is_fresh = false;
+  if (known == sensors_.end() || std::exchange(known->second.is_unplaced, unplaced) == unplaced)
+    return;
+  for (auto& [other, sensor] : sensors_) sensor.model_is_fresh = false;
 }
 
 Status RoomRenderer::upload(SensorId id, DepthView depth_mm, ColorView color, MaskView seen) {
@@ -56,11 +57,11 @@ Status RoomRenderer::upload(SensorId id, DepthView depth_mm, ColorView color, Ma
   }
   Sensor& known = sensor->second;
   if (Status uploaded = known.surface.upload(depth_mm, color, seen); !uploaded) return uploaded;
-  if (look_.remember) {
-    parts_.memories.remember(known.surface, known.memory);
+  if (options_.update_background) {
+    parts_.updater.update(known.surface, known.background_model);
     colors_.offer(id, known.surface.intrinsics(), depth_mm, color, seen);
   }
-  known.memory_is_fresh = false;
+  known.model_is_fresh = false;
   return {};
 }
 
@@ -69,9 +70,9 @@ void RoomRenderer::remove(SensorId id) {
   colors_.forget(id);
 }
 
-Status RoomRenderer::set_look(const RenderOptions& look) {
-  Status legal = look.check();
-  if (legal) look_ = look;
+Status RoomRenderer::set_options(const RenderOptions& options) {
+  Status legal = options.check();
+  if (legal) options_ = options;
   return legal;
 }
 
@@ -82,20 +83,20 @@ Status RoomRenderer::draw(const Eyes& eyes, const OffscreenTarget& target, Rende
     return Error{ErrorCode::kInvalidArgument,
                  "the view's size is not that of the picture it is drawn into"};
   }
-  target.clear(look_.background);
-  if (look_.floor_grid) parts_.floor.draw(eyes, look_.floor_line);
-  if (!remembers_background(mode)) {
+  target.clear(options_.background);
+  if (options_.floor_grid) parts_.floor.draw(eyes, options_.floor_line);
+  if (!uses_background_model(mode)) {
     draw_sensors(eyes, mode);
     return {};
   }
-  refresh_memories();
+  refresh_background_models();
   gather_layers(mode);
   if (mode == RenderMode::kBlend) {
-    parts_.blend.draw(layers_, eyes, look_.unseen, target);
+    parts_.blend.draw(layers_, eyes, options_.unseen, target);
   } else {
     parts_.adaptive.draw(layers_, eyes, target);
   }
-  draw_apart(eyes);
+  draw_unplaced(eyes);
   return {};
 }
 
@@ -103,37 +104,38 @@ Status RoomRenderer::draw(const Eyes& eyes, const OffscreenTarget& target, Rende
 void RoomRenderer::gather_layers(RenderMode mode) {
   layers_.clear();
   for (const auto& [id, sensor] : sensors_) {
-    if (sensor.is_apart) continue;
-    layers_.push_back(
-        {id, sensor.world_from_depth, &sensor.memory.live(), &sensor.surface.rays(), false});
+    if (sensor.is_unplaced) continue;
+    layers_.push_back({id, sensor.world_from_depth, &sensor.background_model.live(),
+                       &sensor.surface.rays(), false});
   }
   if (mode != RenderMode::kBlend) return;
   for (const auto& [id, sensor] : sensors_) {
-    if (sensor.is_apart) continue;
-    layers_.push_back(
-        {id, sensor.world_from_depth, &sensor.memory.background(), &sensor.surface.rays(), true});
+    if (sensor.is_unplaced) continue;
+    layers_.push_back({id, sensor.world_from_depth, &sensor.background_model.background(),
+                       &sensor.surface.rays(), true});
   }
 }
 
-void RoomRenderer::refresh_memories() {
+void RoomRenderer::refresh_background_models() {
   const auto is_fresh = [](const auto& sensor) {
-    return sensor.second.memory_is_fresh || sensor.second.is_apart;
+    return sensor.second.model_is_fresh || sensor.second.is_unplaced;
   };
   if (std::ranges::all_of(sensors_, is_fresh)) return;
   std::map<SensorId, RigidTransform> poses;
   for (const auto& [id, sensor] : sensors_) {
-    if (!sensor.is_apart) poses.emplace(id, sensor.world_from_depth);
+    if (!sensor.is_unplaced) poses.emplace(id, sensor.world_from_depth);
   }
   colors_.update(poses);
   for (auto& [id, sensor] : sensors_) {
-    if (sensor.is_apart || std::exchange(sensor.memory_is_fresh, true)) continue;
+    if (sensor.is_unplaced || std::exchange(sensor.model_is_fresh, true)) continue;
     std::vector<OtherSensor> others;
     for (const auto& [other_id, other] : sensors_) {
-      if (other_id == id || other.is_apart) continue;
+      if (other_id == id || other.is_unplaced) continue;
       others.push_back(
           {&other.surface, other.world_from_depth.inverse() * sensor.world_from_depth});
     }
-    parts_.memories.refresh(sensor.surface, others, {look_.mesh, colors_.gain(id)}, sensor.memory);
+    parts_.updater.refresh(sensor.surface, others, {options_.mesh, colors_.gain(id)},
+                           sensor.background_model);
   }
 }
 
@@ -145,12 +147,12 @@ void RoomRenderer::draw_sensors(const Eyes& eyes, RenderMode mode) {
 }
 
 /// Draws unplaced sensors after the other surfaces, against the depth those have left.
-void RoomRenderer::draw_apart(const Eyes& eyes) {
+void RoomRenderer::draw_unplaced(const Eyes& eyes) {
   const EyeBorders borders(eyes);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   for (auto& [id, sensor] : sensors_) {
-    if (sensor.is_apart) draw_sensor(id, sensor, eyes, RenderMode::kMesh);
+    if (sensor.is_unplaced) draw_sensor(id, sensor, eyes, RenderMode::kMesh);
   }
 }
 
@@ -161,7 +163,7 @@ void RoomRenderer::draw_sensor(SensorId id, Sensor& sensor, const Eyes& eyes, Re
   } else if (mode == RenderMode::kSplats) {
     parts_.points.draw(sensor.surface, view, PointSize::kAsSurface);
   } else {
-    parts_.mesher.update(sensor.surface, look_.mesh, sensor.mesh);
+    parts_.mesher.update(sensor.surface, options_.mesh, sensor.mesh);
     parts_.meshes.draw(sensor.surface, sensor.mesh, view);
   }
 }

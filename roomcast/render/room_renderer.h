@@ -30,7 +30,7 @@ struct RenderOptions {
   SurfaceMeshOptions mesh;
   /// Whether each upload updates the background model, in every mode. Modes that show the
   /// background need it.
-  bool remember = true;
+  bool update_background = true;
   Unseen unseen = Unseen::kSurroundings;  // for RenderMode::kBlend
 
   /// As SurfaceMeshOptions::check.
@@ -54,7 +54,7 @@ class RoomRenderer {
   /// Marks a sensor whose pose is unknown and that is shown next to the room. It is drawn
   /// separately, as a mesh in the adaptive and blend modes, without effect on other sensors'
   /// colours or background. Does nothing if there is no such sensor.
-  void set_apart(SensorId id, bool apart);
+  void set_unplaced(SensorId id, bool unplaced);
 
   /// Sets the sensor's newest pictures. kNotFound without a set_sensor before it; other errors as
   /// SensorSurface::upload.
@@ -64,7 +64,7 @@ class RoomRenderer {
   void remove(SensorId id);
 
   /// Errors as RenderOptions::check; then nothing has changed.
-  Status set_look(const RenderOptions& look);
+  Status set_options(const RenderOptions& options);
 
   /// Draws a new picture into all of `target`, for as many eyes as it has parts. Each sensor's
   /// surface is drawn once for all eyes. kInvalidArgument if an eye is invalid (Eyes::check) or
@@ -76,30 +76,30 @@ class RoomRenderer {
     SensorSurface surface;
     RigidTransform world_from_depth;
     SurfaceMesh mesh;
-    BackgroundModel memory;
-    bool memory_is_fresh = false;
-    bool is_apart = false;
+    BackgroundModel background_model;
+    bool model_is_fresh = false;
+    bool is_unplaced = false;
   };
   struct Parts {
     PointRenderer points;
     SurfaceMesher mesher;
     MeshRenderer meshes;
     FloorGrid floor;
-    BackgroundUpdater memories;
+    BackgroundUpdater updater;
     AdaptiveRenderer adaptive;
     BlendRenderer blend;
   };
 
   explicit RoomRenderer(Parts parts) : parts_(std::move(parts)) {}
   void draw_sensors(const Eyes& eyes, RenderMode mode);
-  void draw_apart(const Eyes& eyes);
+  void draw_unplaced(const Eyes& eyes);
   void draw_sensor(SensorId id, Sensor& sensor, const Eyes& eyes, RenderMode mode);
   void gather_layers(RenderMode mode);
-  void refresh_memories();
+  void refresh_background_models();
 
   Parts parts_;
   ColorMatching colors_;
-  RenderOptions look_;
+  RenderOptions options_;
   std::vector<SurfaceLayer> layers_;  // of the last picture
   std::map<SensorId, Sensor>
       sensors_;  // ordered, so that the same room always gives the same picture

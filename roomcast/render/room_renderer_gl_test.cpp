@@ -124,10 +124,10 @@ TEST_P(EveryMode, every_pixel_knows_which_sensor_drew_it) {
   EXPECT_EQ(picture.sensors.at(5, 5), kDrawnByNoSensor);
 }
 
-TEST_P(EveryMode, a_sensor_that_stands_apart_is_drawn_and_never_mixed_with_others) {
+TEST_P(EveryMode, an_unplaced_sensor_is_drawn_and_never_mixed_with_others) {
   add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
   add(kSecond, kLens, kPose, wall(kLens, 2010, kGreen));  // within the mixing distance
-  room_->set_apart(kSecond, true);
+  room_->set_unplaced(kSecond, true);
   EXPECT_EQ(draw_wide().color.at(64, 48), kRed);
   add(kSecond, kLens, kPose, wall(kLens, 1900, kGreen));
   EXPECT_EQ(draw_wide().color.at(64, 48), kGreen) << "it is there, by itself";
@@ -252,14 +252,14 @@ TEST_F(Room, a_camera_that_does_not_fit_the_picture_is_refused) {
             ErrorCode::kInvalidArgument);
 }
 
-TEST_F(Room, an_illegal_look_is_refused) {
+TEST_F(Room, illegal_options_are_refused) {
   for (const int step : {0, kMaxGridStep + 1}) {
-    look_.mesh.grid_step = step;
-    EXPECT_EQ(room_->set_look(look_).error().code, ErrorCode::kInvalidArgument);
+    options_.mesh.grid_step = step;
+    EXPECT_EQ(room_->set_options(options_).error().code, ErrorCode::kInvalidArgument);
   }
-  look_.mesh = {};
-  look_.mesh.max_gap_m = -0.1;
-  EXPECT_EQ(room_->set_look(look_).error().code, ErrorCode::kInvalidArgument);
+  options_.mesh = {};
+  options_.mesh.max_gap_m = -0.1;
+  EXPECT_EQ(room_->set_options(options_).error().code, ErrorCode::kInvalidArgument);
 }
 
 }  // namespace

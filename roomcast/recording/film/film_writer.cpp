@@ -55,7 +55,7 @@ Result<std::unique_ptr<FilmWriter>> FilmWriter::create(const std::vector<SetSens
   if (!renderer) return renderer.error();
   render::RenderOptions look;
   look.floor_grid = false;
-  if (auto status = renderer->set_look(look); !status) return status.error();
+  if (auto status = renderer->set_options(look); !status) return status.error();
   return std::unique_ptr<FilmWriter>(new FilmWriter(
       sensors, std::move(options), camera,
       {std::move(*context), std::move(*target), std::move(*renderer)}, std::move(sink)));

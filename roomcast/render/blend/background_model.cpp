@@ -17,7 +17,7 @@ void clear(const GlTexture& texture) {
 BackgroundModel::BackgroundModel(const CameraIntrinsics& lens)
     : newest_m_(make_texture(GL_R32F, lens.width, lens.height)),
       steadiness_(make_texture(GL_R16F, lens.width, lens.height)),
-      verdict_(make_texture(GL_R8UI, lens.width, lens.height)),
+      classes_(make_texture(GL_R8UI, lens.width, lens.height)),
       seen_(make_texture(GL_R8UI, lens.width, lens.height)),
       readings_(make_texture(GL_RGBA32F, lens.width, lens.height)),
       live_(lens),
@@ -38,44 +38,44 @@ void BackgroundModel::set_color_scale(int scale) {
 }
 
 Result<BackgroundUpdater> BackgroundUpdater::create() {
-  auto parts = create_parts(&Parts::remember, &Parts::background, &Parts::carve, &Parts::lost,
+  auto parts = create_parts(&Parts::update, &Parts::background, &Parts::carve, &Parts::completion,
                             &Parts::cleaner);
   if (!parts) return std::move(parts).error();
   return BackgroundUpdater(*std::move(parts));
 }
 
-void BackgroundUpdater::remember(const SensorSurface& sensor, BackgroundModel& memory) const {
-  using shaders::remember_background_comp;
-  memory.set_color_scale(sensor.color_scale());
-  sensor.bind_to(parts_.remember);
-  parts_.remember.bind(remember_background_comp::background, memory.readings_);
-  parts_.remember.bind(remember_background_comp::background_color, memory.background_color_);
-  parts_.remember.bind(remember_background_comp::depth_out, memory.newest_m_);
-  parts_.remember.bind(remember_background_comp::steadiness, memory.steadiness_);
-  parts_.remember.run(sensor.intrinsics().width, sensor.intrinsics().height);
+void BackgroundUpdater::update(const SensorSurface& sensor, BackgroundModel& model) const {
+  using shaders::update_background_comp;
+  model.set_color_scale(sensor.color_scale());
+  sensor.bind_to(parts_.update);
+  parts_.update.bind(update_background_comp::background, model.readings_);
+  parts_.update.bind(update_background_comp::background_color, model.background_color_);
+  parts_.update.bind(update_background_comp::depth_out, model.newest_m_);
+  parts_.update.bind(update_background_comp::steadiness, model.steadiness_);
+  parts_.update.run(sensor.intrinsics().width, sensor.intrinsics().height);
 }
 
 void BackgroundUpdater::refresh(const SensorSurface& sensor, std::span<const OtherSensor> others,
-                                const SurfaceCleaner::Options& options, BackgroundModel& memory) {
+                                const SurfaceCleaner::Options& options, BackgroundModel& model) {
   using shaders::background_depth_comp;
-  memory.set_color_scale(sensor.color_scale());
+  model.set_color_scale(sensor.color_scale());
   sensor.bind_to(parts_.background);
-  parts_.background.bind(background_depth_comp::background, memory.readings_);
-  parts_.background.bind(background_depth_comp::depth_out, memory.background_.depth_m);
+  parts_.background.bind(background_depth_comp::background, model.readings_);
+  parts_.background.bind(background_depth_comp::depth_out, model.background_.depth_m);
   parts_.background.run(sensor.intrinsics().width, sensor.intrinsics().height);
-  parts_.lost.cover(
-      sensor, {memory.newest_m_, memory.readings_, memory.background_color_, memory.steadiness_},
-      {memory.verdict_, memory.live_.depth_m, memory.seen_});
+  parts_.completion.complete(
+      sensor, {model.newest_m_, model.readings_, model.background_color_, model.steadiness_},
+      {model.classes_, model.live_.depth_m, model.seen_});
   using Shows = SurfaceCleaner::Shows;
-  parts_.cleaner.repair(Shows::kNewest, memory.live_);
-  for (const OtherSensor& other : others) carve(sensor, other, memory.background_.depth_m);
-  parts_.cleaner.repair(Shows::kBackground, memory.background_);
+  parts_.cleaner.repair(Shows::kNewest, model.live_);
+  for (const OtherSensor& other : others) carve(sensor, other, model.background_.depth_m);
+  parts_.cleaner.repair(Shows::kBackground, model.background_);
 
-  const SurfaceCleaner::Known known{memory.readings_, memory.background_color_, memory.seen_};
-  parts_.cleaner.finish(sensor, known, Shows::kNewest, options, memory.live_);
+  const SurfaceCleaner::Known known{model.readings_, model.background_color_, model.seen_};
+  parts_.cleaner.finish(sensor, known, Shows::kNewest, options, model.live_);
   SurfaceCleaner::Options behind = options;
-  behind.covering = &memory.live_;
-  parts_.cleaner.finish(sensor, known, Shows::kBackground, behind, memory.background_);
+  behind.covering = &model.live_;
+  parts_.cleaner.finish(sensor, known, Shows::kBackground, behind, model.background_);
 }
 
 void BackgroundUpdater::carve(const SensorSurface& sensor, const OtherSensor& other,

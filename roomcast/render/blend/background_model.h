@@ -2,7 +2,7 @@
 // BackgroundModel: two clean surfaces of one sensor: its live surface and the remembered background
 // behind it. The background fills areas hidden by people or briefly without readings. It is removed
 // where any sensor sees through it; objects in front of it that give no readings are drawn in front
-// of it (LostDepth). Single-threaded; needs the GL context it was made with.
+// of it (DepthCompletion). Single-threaded; needs the GL context it was made with.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/render/blend/clean_surface.h"
-#include "roomcast/render/blend/lost_depth.h"
+#include "roomcast/render/blend/depth_completion.h"
 #include "roomcast/render/surface/sensor_surface.h"
 
 namespace roomcast::render {
@@ -35,9 +35,9 @@ class BackgroundModel {
   void set_color_scale(int scale);
 
   GlTexture newest_m_;          // R32F: the newest readings, 0 without a reading
-  GlTexture steadiness_;        // R16F: see remember_background.comp
-  GlTexture verdict_, seen_;    // R8UI: see LostDepth
-  GlTexture readings_;          // RGBA32F: see remember_background.comp
+  GlTexture steadiness_;        // R16F: see update_background.comp
+  GlTexture classes_, seen_;    // R8UI: see DepthCompletion
+  GlTexture readings_;          // RGBA32F: see update_background.comp
   GlTexture background_color_;  // RGBA16F, scaled: rgb, readings
   int color_scale_ = 0;
   CleanSurface live_, background_;
@@ -50,21 +50,21 @@ class BackgroundUpdater {
   static Result<BackgroundUpdater> create();
 
   /// Updates the model with the sensor's new picture. Call it for every picture, drawn or not.
-  void remember(const SensorSurface& sensor, BackgroundModel& memory) const;
+  void update(const SensorSurface& sensor, BackgroundModel& model) const;
 
   /// Computes both surfaces for drawing. Call it when all sensors have their newest pictures, and
   /// after a sensor was moved.
   void refresh(const SensorSurface& sensor, std::span<const OtherSensor> others,
-               const SurfaceCleaner::Options& options, BackgroundModel& memory);
+               const SurfaceCleaner::Options& options, BackgroundModel& model);
 
  private:
   struct Parts {
     ComputeProgram<shaders::sensor_surface_glsl, shaders::depth_noise_glsl,
-                   shaders::remember_background_comp>
-        remember;
+                   shaders::update_background_comp>
+        update;
     ComputeProgram<shaders::sensor_surface_glsl, shaders::background_depth_comp> background;
     ComputeProgram<shaders::carve_comp> carve;
-    LostDepth lost;
+    DepthCompletion completion;
     SurfaceCleaner cleaner;
   };
   explicit BackgroundUpdater(Parts parts) : parts_(std::move(parts)) {}

@@ -19,8 +19,8 @@ class BlendTest : public RoomTest {
     return draw(eye_of(kLens, pose), RenderMode::kBlend).color.at(32, 24);
   }
   void see(Unseen unseen) {
-    look_.unseen = unseen;
-    ASSERT_TRUE(room_->set_look(look_).ok());
+    options_.unseen = unseen;
+    ASSERT_TRUE(room_->set_options(options_).ok());
   }
 };
 

@@ -10,8 +10,8 @@ using Eigen::Vector3d;
 class FloorGridTest : public RoomTest {
  protected:
   void show_floor() {
-    look_.floor_grid = true;
-    ASSERT_TRUE(room_->set_look(look_).ok());
+    options_.floor_grid = true;
+    ASSERT_TRUE(room_->set_options(options_).ok());
   }
 };
 

@@ -73,8 +73,8 @@ TEST_F(MeshTest, a_surface_is_open_from_behind) {
 TEST_F(MeshTest, a_coarser_grid_covers_the_same_wall) {
   add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
   const std::ptrdiff_t fine = pixels_drawn(draw_from(kEye));
-  look_.mesh.grid_step = 4;
-  ASSERT_TRUE(room_->set_look(look_).ok());
+  options_.mesh.grid_step = 4;
+  ASSERT_TRUE(room_->set_options(options_).ok());
   const std::ptrdiff_t coarse = pixels_drawn(draw_from(kEye));
   EXPECT_EQ(fine, 63 * 47);
   EXPECT_EQ(coarse,

@@ -45,9 +45,9 @@ class TwoEyes : public RoomTest, public ::testing::WithParamInterface<RenderMode
   void SetUp() override {
     RoomTest::SetUp();
     if (HasFatalFailure()) return;
-    look_.floor_grid = true;
-    look_.unseen = Unseen::kSurroundings;
-    ASSERT_TRUE(room_->set_look(look_).ok());
+    options_.floor_grid = true;
+    options_.unseen = Unseen::kSurroundings;
+    ASSERT_TRUE(room_->set_options(options_).ok());
     show(Vector3d(-0.3, 1.5, 0), kFirst);
     show(Vector3d(0.4, 1.6, 0), kSecond);
   }
@@ -83,8 +83,8 @@ TEST_P(TwoEyes, see_what_each_sees_alone) {
 }
 
 TEST_P(TwoEyes, keep_to_their_parts_of_the_picture) {
-  look_.floor_grid = false;
-  ASSERT_TRUE(room_->set_look(look_).ok());
+  options_.floor_grid = false;
+  ASSERT_TRUE(room_->set_options(options_).ok());
   const ViewCamera ahead = eye_at({0, 1.5, -1.5}), away = eye_at({0, 1.5, 0}, {0, 1.5, 5});
   const Picture nothing = {ColorImage(ahead.width, ahead.height, kNothing),
                            Image<std::int32_t>(ahead.width, ahead.height, kDrawnByNoSensor)};

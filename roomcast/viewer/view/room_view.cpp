@@ -37,7 +37,7 @@ Status RoomView::show_sensor(const client::RoomSensor& sensor) {
       !status) {
     return status;
   }
-  renderer_.set_apart(sensor.id, !sensor.placed);
+  renderer_.set_unplaced(sensor.id, !sensor.placed);
   Uploaded& uploaded = uploaded_[sensor.id];
   if (uploaded.picture == sensor.picture && uploaded.lens == sensor.calibration.depth) return {};
   const codec::DecodedFrame& frame = sensor.picture->frame;

@@ -14,7 +14,7 @@ const float kMaxColors = 32.0;
 const float kReadingsOfFarther = 3.0;
 const float kSteadinessStep = 1.0 / 16.0;
 
-void remember_colors(ivec2 pixel, bool is_new) {
+void update_colors(ivec2 pixel, bool is_new) {
   int shift = color_is_fine() ? 1 : 0;
   for (int i = 0; i < 1 << (2 * shift); ++i) {
     ivec2 at = (pixel << shift) + ivec2(i & 1, i >> 1);
@@ -29,7 +29,7 @@ void remember_colors(ivec2 pixel, bool is_new) {
 
 // Tracks how often a reading drops out. Only the start of a gap counts: an object in front of the surface can make a
 // gap of any length.
-void remember_steadiness(ivec2 pixel, bool is_read) {
+void update_steadiness(ivec2 pixel, bool is_read) {
   bool was_read = imageLoad(depth_out, pixel).r > 0.0;
   if (!is_read && !was_read) return;
   float known = imageLoad(steadiness, pixel).r;
@@ -42,7 +42,7 @@ void main() {
   float z = z_at(pixel);
   vec4 known = imageLoad(background, pixel);
   float shown = z;
-  remember_steadiness(pixel, z > 0.0);
+  update_steadiness(pixel, z > 0.0);
   if (z > 0.0) {
     float gate = same_surface_gate(z);
     if (known.x > 0.0 && abs(z - known.x) < gate) {
@@ -50,14 +50,14 @@ void main() {
       known.x += (z - known.x) / known.y;
       known.w = 0.0;
       shown = known.x;
-      remember_colors(pixel, false);
+      update_colors(pixel, false);
     } else if (z > known.x) {
       bool agrees = known.w > 0.0 && abs(z - known.z) < gate;
       known.w = agrees ? known.w + 1.0 : 1.0;
       known.z = agrees ? known.z + (z - known.z) / known.w : z;
       if (known.x == 0.0 || known.w >= kReadingsOfFarther) {
         known = vec4(known.zw, 0.0, 0.0);
-        remember_colors(pixel, true);
+        update_colors(pixel, true);
       }
     }
     imageStore(background, pixel, known);

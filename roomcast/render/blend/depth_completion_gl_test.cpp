@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests drawing where readings of a remembered wall are missing.
-#include "roomcast/render/blend/lost_depth.h"
+#include "roomcast/render/blend/depth_completion.h"
 #include "roomcast/render/room_fixture.h"
 
 namespace roomcast::render {
@@ -14,7 +14,7 @@ const RigidTransform kPose =
 constexpr Rgb8 kWall = {190, 180, 170}, kDark = {20, 22, 25};
 constexpr int kMiddleX = 32, kMiddleY = 24;
 
-class LostDepthTest : public RoomTest {
+class DepthCompletionTest : public RoomTest {
  protected:
   void SetUp() override {
     RoomTest::SetUp();
@@ -44,18 +44,18 @@ class LostDepthTest : public RoomTest {
   }
 };
 
-TEST_F(LostDepthTest, a_dark_thing_is_dark_and_not_the_wall_behind_it) {
+TEST_F(DepthCompletionTest, a_dark_thing_is_dark_and_not_the_wall_behind_it) {
   const Rgb8 shown = middle(without_readings(kDark));
   EXPECT_LT(shown.r, 60);
   EXPECT_LT(middle(without_readings(kDark), RenderMode::kAdaptive).r, 60);
 }
 
-TEST_F(LostDepthTest, the_wall_is_there_without_its_readings) {
+TEST_F(DepthCompletionTest, the_wall_is_there_without_its_readings) {
   const Rgb8 shown = middle(without_readings(kWall));
   EXPECT_NEAR(shown.r, kWall.r, 2);
 }
 
-TEST_F(LostDepthTest, a_shadow_or_another_exposure_makes_no_thing_of_it) {
+TEST_F(DepthCompletionTest, a_shadow_or_another_exposure_makes_no_thing_of_it) {
   for (const double light : {0.82, 1.2}) {
     const auto lit = [light](std::uint8_t level) {
       return static_cast<std::uint8_t>(light * level);
@@ -65,11 +65,11 @@ TEST_F(LostDepthTest, a_shadow_or_another_exposure_makes_no_thing_of_it) {
   }
 }
 
-TEST_F(LostDepthTest, a_few_pixels_are_no_thing) {
+TEST_F(DepthCompletionTest, a_few_pixels_are_no_thing) {
   EXPECT_NEAR(middle(without_readings(kDark, 1)).r, kWall.r, 40);
 }
 
-TEST_F(LostDepthTest, a_thing_hangs_on_the_wall_or_is_as_near_as_its_frame) {
+TEST_F(DepthCompletionTest, a_thing_hangs_on_the_wall_or_is_as_near_as_its_frame) {
   SensorPictures pictures = without_readings(kDark);
   EXPECT_NEAR(middle_m(pictures), 3, 0.05);
   SensorPictures framed = wall(kLens, 3000, kWall);
@@ -80,7 +80,7 @@ TEST_F(LostDepthTest, a_thing_hangs_on_the_wall_or_is_as_near_as_its_frame) {
   EXPECT_NEAR(middle_m(framed), 1.8, 0.05);
 }
 
-TEST_F(LostDepthTest, where_readings_always_came_and_went_the_wall_stays) {
+TEST_F(DepthCompletionTest, where_readings_always_came_and_went_the_wall_stays) {
   for (int i = 0; i < 60; ++i) {
     add(kFirst, kLens, kPose, i % 2 == 0 ? without_readings(kWall) : wall(kLens, 3000, kWall));
   }

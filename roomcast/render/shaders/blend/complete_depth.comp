@@ -5,27 +5,27 @@
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D newest_m;
 layout(binding = 3) uniform usampler2D seen;
-layout(binding = 4) uniform usampler2D verdict;    // judge_lost.comp
+layout(binding = 4) uniform usampler2D classes;    // classify_foreground.comp
 layout(binding = 6) uniform sampler2D background;  // metres, readings
 layout(r32f, binding = 0) writeonly uniform image2D depth_out;
 layout(r8ui, binding = 1) writeonly uniform uimage2D seen_out;  // where the newest colour is valid
 
-const uint kNothingLost = 0u, kSame = 1u, kOther = 2u;
-const int kAround = 2, kMinOthers = 13;  // of 25 pixels; smaller areas flicker at every edge
+const uint kUnclassified = 0u, kBackground = 1u, kForeground = 2u;
+const int kAround = 2, kMinForeground = 13;  // of 25 pixels; smaller areas flicker at every edge
 const int kReach = 64;
 const float kBefore_m = 0.1, kBeforePer_m = 0.03;
 
 // Number of pixels nearby that differ from the background, and number that match it.
-ivec2 others_and_same(ivec2 pixel, ivec2 size) {
-  int others = 0, same = 0;
+ivec2 count_around(ivec2 pixel, ivec2 size) {
+  int front = 0, back = 0;
   for (int y = max(pixel.y - kAround, 0); y <= min(pixel.y + kAround, size.y - 1); ++y) {
     for (int x = max(pixel.x - kAround, 0); x <= min(pixel.x + kAround, size.x - 1); ++x) {
-      uint there = texelFetch(verdict, ivec2(x, y), 0).r;
-      others += there == kOther ? 1 : 0;
-      same += there == kSame ? 1 : 0;
+      uint there = texelFetch(classes, ivec2(x, y), 0).r;
+      front += there == kForeground ? 1 : 0;
+      back += there == kBackground ? 1 : 0;
     }
   }
-  return ivec2(others, same);
+  return ivec2(front, back);
 }
 
 // The next reading in a direction: depth in metres, distance in pixels; 0 if there is none.
@@ -84,13 +84,13 @@ float distance_around(ivec2 pixel, ivec2 size) {
 }
 
 // Depth of the object in front of the background; 0 if there is none.
-float distance_of_cover(ivec2 pixel, ivec2 size) {
-  uint lost = texelFetch(verdict, pixel, 0).r;
-  if (lost == kNothingLost) return 0.0;
-  ivec2 seen_around = others_and_same(pixel, size);
-  float between = 2 * seen_around.x > seen_around.y ? between_readings(pixel, size) : 0.0;
+float depth_of_foreground(ivec2 pixel, ivec2 size) {
+  uint here = texelFetch(classes, pixel, 0).r;
+  if (here == kUnclassified) return 0.0;
+  ivec2 around = count_around(pixel, size);
+  float between = 2 * around.x > around.y ? between_readings(pixel, size) : 0.0;
   if (between > 0.0) return between;
-  bool is_patch = lost == kOther && seen_around.x >= kMinOthers && seen_around.x > 2 * seen_around.y;
+  bool is_patch = here == kForeground && around.x >= kMinForeground && around.x > 2 * around.y;
   return is_patch ? distance_around(pixel, size) : 0.0;
 }
 
@@ -101,7 +101,7 @@ void main() {
   float z = texelFetch(newest_m, pixel, 0).r;
   uint is_seen = texelFetch(seen, pixel, 0).r;
   if (z == 0.0) {
-    z = distance_of_cover(pixel, size);
+    z = depth_of_foreground(pixel, size);
     if (z > 0.0) is_seen = 255u;
   }
   imageStore(depth_out, pixel, vec4(z));

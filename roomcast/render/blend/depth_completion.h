@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// LostDepth: finds objects that give no depth readings in front of a remembered background, and
-// draws them in their live colour instead of the background's. Finds them by comparing the live
+// DepthCompletion: finds objects that give no depth readings in front of a remembered background,
+// and draws them in their live colour instead of the background's. Finds them by comparing the live
 // colour with the background's; needs pictures with colour where depth is missing
 // (geometry/hole_registration.h). Needs the GL context it was made with.
 #pragma once
@@ -12,10 +12,10 @@
 
 namespace roomcast::render {
 
-class LostDepth {
+class DepthCompletion {
  public:
   /// kUnsupported with the driver's log if it rejects the shaders.
-  static Result<LostDepth> create();
+  static Result<DepthCompletion> create();
 
   /// As in BackgroundModel.
   struct Known {
@@ -23,17 +23,17 @@ class LostDepth {
   };
   /// All of the depth grid's size.
   struct Out {
-    const GlTexture &verdict, &depth_m, &seen;
+    const GlTexture &classes, &depth_m, &seen;
   };
   /// Writes the newest readings and their colour mask, plus the depth of objects without readings.
-  void cover(const SensorSurface& sensor, const Known& known, const Out& out) const;
+  void complete(const SensorSurface& sensor, const Known& known, const Out& out) const;
 
  private:
   struct Programs {
-    ComputeProgram<shaders::judge_lost_comp> judge;
-    ComputeProgram<shaders::cover_lost_comp> cover;
+    ComputeProgram<shaders::classify_foreground_comp> classify;
+    ComputeProgram<shaders::complete_depth_comp> complete;
   };
-  explicit LostDepth(Programs programs) : programs_(std::move(programs)) {}
+  explicit DepthCompletion(Programs programs) : programs_(std::move(programs)) {}
 
   Programs programs_;
 };
