@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "roomcast/render/gl/gl_state.h"
+
 namespace roomcast::render {
 
 Result<AdaptiveRenderer> AdaptiveRenderer::create() {
@@ -17,9 +19,8 @@ void AdaptiveRenderer::draw(std::span<const SurfaceLayer> layers, const Eyes& ey
   const EyeBorders borders(eyes);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
-  glEnable(GL_CULL_FACE);
+  const Enabled culling(GL_CULL_FACE);
   for (const SurfaceLayer& layer : layers) painter_.draw(program_, layer, eyes);
-  glDisable(GL_CULL_FACE);
 }
 
 }  // namespace roomcast::render

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "roomcast/render/view/surface_view.h"
+#include "roomcast/render/gl/gl_state.h"
 
 namespace roomcast::render {
 namespace {
@@ -54,10 +54,8 @@ void BlendRenderer::draw(std::span<const SurfaceLayer> layers, const Eyes& eyes,
                          const OffscreenTarget& target) {
   make_room(eyes);
   glEnable(GL_DEPTH_TEST);
-  glEnable(GL_CULL_FACE);
   draw_nearest(layers, eyes, target);
   mix(layers, eyes, target.depth());
-  glDisable(GL_CULL_FACE);
   find_surroundings(eyes, unseen, target.depth());
   resolve(target);
 }
@@ -65,33 +63,30 @@ void BlendRenderer::draw(std::span<const SurfaceLayer> layers, const Eyes& eyes,
 void BlendRenderer::draw_nearest(std::span<const SurfaceLayer> layers, const Eyes& eyes,
                                  const OffscreenTarget& target) {
   const EyeBorders borders(eyes);
-  constexpr GLuint kPicture = 0;
+  const Enabled culling(GL_CULL_FACE);
+  const AttachmentKept color(OffscreenTarget::kColorAttachment);
   target.bind();
-  glColorMaski(kPicture, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   glDepthFunc(GL_LESS);
   for (const SurfaceLayer& layer : layers) {
     painter_.draw(programs_.nearest, layer, eyes);
   }
-  glColorMaski(kPicture, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 /// Sums the weighted colours of all surfaces within the mixing distance behind the nearest one.
 void BlendRenderer::mix(std::span<const SurfaceLayer> layers, const Eyes& eyes,
                         const GlTexture& nearest_depth) {
   const EyeBorders borders(eyes);
+  const Enabled culling(GL_CULL_FACE);
+  const Blending sum(GL_ONE, GL_ONE);
   constexpr std::array<float, 4> kNothing{};
   attach(sum_target_, GL_DEPTH_ATTACHMENT, nearest_depth);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, sum_target_.name());
   glClearNamedFramebufferfv(sum_target_.name(), GL_COLOR, 0, kNothing.data());
-  glDepthMask(GL_FALSE);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE);
+  const DepthKept nearest;
   for (const SurfaceLayer& layer : layers) {
     programs_.mix.set(shaders::mix_vert::weight, layer.is_background ? kBackgroundWeight : 1);
     painter_.draw(programs_.mix, layer, eyes);
   }
-  glDisable(GL_BLEND);
-  glDepthMask(GL_TRUE);
 }
 
 void BlendRenderer::find_surroundings(const Eyes& eyes, Unseen unseen,
@@ -151,12 +146,10 @@ void BlendRenderer::resolve(const OffscreenTarget& target) {
   programs_.resolve.bind(resolve_frag::color_sum, color_sum_);
   programs_.resolve.bind(resolve_frag::nearest_depth, target.depth());
   programs_.resolve.bind(resolve_frag::surroundings, levels_.front().color);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  const Blending blending(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   programs_.resolve.use();
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  glDisable(GL_BLEND);
   target.bind();
 }
 

@@ -3,6 +3,9 @@
 
 #include <utility>
 
+#include "roomcast/render/gl/gl_state.h"
+#include "roomcast/render/view/offscreen_target.h"
+
 namespace roomcast::render {
 namespace {
 
@@ -34,18 +37,14 @@ void FloorGrid::set_uniforms(const Eyes& eyes, Rgb8 line) const {
 }
 
 void FloorGrid::draw(const Eyes& eyes, Rgb8 line) const {
-  constexpr GLuint kPicture = 0, kSensors = 1;
   const EyeBorders borders(eyes);
+  const AttachmentKept sensors(OffscreenTarget::kSensorsAttachment);
+  const Blending blending(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   set_uniforms(eyes, line);
   program_.use();
   glBindVertexArray(no_attributes_.name());
   glDisable(GL_DEPTH_TEST);
-  glColorMaski(kSensors, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  glEnablei(GL_BLEND, kPicture);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, eyes.count());
-  glDisablei(GL_BLEND, kPicture);
-  glColorMaski(kSensors, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 }  // namespace roomcast::render

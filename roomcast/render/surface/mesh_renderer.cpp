@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "roomcast/render/gl/gl_state.h"
+
 namespace roomcast::render {
 
 Result<MeshRenderer> MeshRenderer::create() {
@@ -22,9 +24,8 @@ void MeshRenderer::draw(const SensorSurface& surface, const SurfaceMesh& mesh,
   program_.use();
   glVertexArrayElementBuffer(vertices_.name(), mesh.indices.name());
   glBindVertexArray(vertices_.name());
-  glEnable(GL_CULL_FACE);
+  const Enabled culling(GL_CULL_FACE);
   glDrawElementsInstanced(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr, view.eyes.count());
-  glDisable(GL_CULL_FACE);
 }
 
 }  // namespace roomcast::render

@@ -81,8 +81,8 @@ void OffscreenTarget::clear(Rgb8 background) const {
                                       1.0F};
   const std::array<GLint, 4> nobody = {kDrawnByNoSensor, 0, 0, 0};
   constexpr float kFarthest = 1.0F;
-  glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, color.data());
-  glClearNamedFramebufferiv(framebuffer_.name(), GL_COLOR, 1, nobody.data());
+  glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, kColorAttachment, color.data());
+  glClearNamedFramebufferiv(framebuffer_.name(), GL_COLOR, kSensorsAttachment, nobody.data());
   glClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &kFarthest);
 }
 

@@ -21,6 +21,9 @@ class OffscreenTarget {
   /// both sides are 1..kMaxImageSide; kUnavailable if the driver cannot render to it.
   static Result<OffscreenTarget> create(int width, int height, int eyes = 1);
 
+  /// The framebuffer's colour attachments.
+  static constexpr GLuint kColorAttachment = 0, kSensorsAttachment = 1;
+
   /// Binds the framebuffer and sets the viewport, so that drawing goes here.
   void bind() const;
   /// Binds the framebuffer and clears it: one colour, infinite depth, no sensor.
@@ -31,7 +34,6 @@ class OffscreenTarget {
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] int eyes() const { return eyes_; }
   /// The framebuffer, to copy from. The first eye's part is at the left, the second's right of it.
-  /// Attachment 0 is colour, attachment 1 the sensors.
   [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
   /// The textures, for drawing in several passes with other framebuffers. RGBA8, DEPTH32F.
   [[nodiscard]] const GlTexture& color() const { return color_; }

@@ -4,7 +4,7 @@
 // colour but no sensor. Leaves the GL state as RoomRenderer expects it.
 #pragma once
 
-#include <epoxy/gl.h>
+#include "roomcast/render/view/offscreen_target.h"
 
 namespace roomcast::viewer {
 
@@ -19,22 +19,20 @@ class DrawingOver {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(kind == kSolid ? GL_TRUE : GL_FALSE);
-    glColorMaski(kSensors, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glColorMaski(render::OffscreenTarget::kSensorsAttachment, GL_FALSE, GL_FALSE, GL_FALSE,
+                 GL_FALSE);
     if (kind == kSolid) return;
-    glEnablei(GL_BLEND, kPicture);
+    glEnablei(GL_BLEND, render::OffscreenTarget::kColorAttachment);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   }
   ~DrawingOver() {
-    glDisablei(GL_BLEND, kPicture);
-    glColorMaski(kSensors, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDisablei(GL_BLEND, render::OffscreenTarget::kColorAttachment);
+    glColorMaski(render::OffscreenTarget::kSensorsAttachment, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
   }
   DrawingOver(const DrawingOver&) = delete;
   DrawingOver& operator=(const DrawingOver&) = delete;
-
- private:
-  static constexpr GLuint kPicture = 0, kSensors = 1;  // attachments of an OffscreenTarget
 };
 
 }  // namespace roomcast::viewer
