@@ -10,7 +10,7 @@
 
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
-#include "roomcast/client/room/calibration_message.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::client {
 namespace {
@@ -61,7 +61,7 @@ class NudgeRequest final : public HubLinkEvents {
       return answer(
           Error{ErrorCode::kNotFound, "the room has no sensor \"" + options_.sensor + "\""});
     }
-    const auto pose = read_transform(entry->world_from_depth());
+    const auto pose = wire::read_transform(entry->world_from_depth());
     if (!pose) return answer(pose.error());
     if (!before_) return ask(*entry, *pose);
     const bool moved = !std::ranges::equal(entry->world_from_depth(), before_->world_from_depth());
@@ -74,7 +74,8 @@ class NudgeRequest final : public HubLinkEvents {
     before_ = entry;
     pb::Control message;
     message.mutable_nudge()->set_sensor_id(entry.id());
-    write_transform(nudged(pose, options_), *message.mutable_nudge()->mutable_world_from_depth());
+    wire::write_transform(nudged(pose, options_),
+                          *message.mutable_nudge()->mutable_world_from_depth());
     link_.send(message);
   }
 

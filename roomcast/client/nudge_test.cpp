@@ -12,6 +12,7 @@
 #include "roomcast/client/hub_fixture.h"
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/room/calibration_message.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::client {
 namespace {
@@ -28,7 +29,7 @@ wire::pb::Control roster(const RigidTransform& pose, const std::string& note = "
   entry.set_name("left");
   entry.set_fps(30);
   *entry.mutable_calibration() = message_from_calibration(calibration);
-  write_transform(pose, *entry.mutable_world_from_depth());
+  wire::write_transform(pose, *entry.mutable_world_from_depth());
   entry.set_expected_error_mm(4);
   entry.set_placement_note(note);
   return control;

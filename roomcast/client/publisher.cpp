@@ -15,6 +15,7 @@
 #include "roomcast/net/framed_message.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::client {
 namespace {
@@ -31,7 +32,7 @@ wire::pb::Join join_message(const PublisherOptions& options) {
   sensor.set_fps(options.fps);
   *sensor.mutable_calibration() = message_from_calibration(options.calibration);
   if (options.world_from_depth)
-    write_transform(*options.world_from_depth, *sensor.mutable_world_from_depth());
+    wire::write_transform(*options.world_from_depth, *sensor.mutable_world_from_depth());
   return join;
 }
 

@@ -7,6 +7,7 @@
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/room/calibration_message.h"
 #include "roomcast/codec/frame_codec.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::client {
 namespace {
@@ -26,7 +27,7 @@ wire::pb::Control roster_of_one() {
   sensor.set_online(true);
   sensor.set_fps(30);
   *sensor.mutable_calibration() = message_from_calibration(calibration);
-  write_transform({}, *sensor.mutable_world_from_depth());
+  wire::write_transform({}, *sensor.mutable_world_from_depth());
   return control;
 }
 

@@ -60,6 +60,11 @@ Result<RigidTransform> transform_from_row_major(std::span<const double> row_majo
   return RigidTransform{nearest_rotation(rotation), matrix.topRightCorner<3, 1>()};
 }
 
+RigidTransform exact_transform_from_row_major(std::span<const double, 16> row_major) {
+  const Eigen::Map<const RowMajor4> matrix(row_major.data());
+  return {matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>()};
+}
+
 RigidTransform world_from_optical_looking_at(const Eigen::Vector3d& eye_m,
                                              const Eigen::Vector3d& target_m) {
   const Eigen::Vector3d forward = (target_m - eye_m).normalized();

@@ -33,6 +33,10 @@ struct RigidTransform {
 /// to within 1e-3 (files round). Returns the nearest exactly orthonormal rotation.
 [[nodiscard]] Result<RigidTransform> transform_from_row_major(std::span<const double> row_major);
 
+/// The transform with exactly these numbers, which must already be those of a rigid transform. For
+/// code that forwards poses: row_major_from_transform() returns the same numbers, bit for bit.
+[[nodiscard]] RigidTransform exact_transform_from_row_major(std::span<const double, 16> row_major);
+
 /// The pose of an optical frame (x right, y down, z forward) at `eye_m` looking at `target_m`, with
 /// world y up. If it looks straight up or down, the top of the picture is towards world -z.
 [[nodiscard]] RigidTransform world_from_optical_looking_at(const Eigen::Vector3d& eye_m,

@@ -84,6 +84,12 @@ TEST(RigidTransform, parsing_refuses_transforms_that_are_not_rigid) {
   expect_refused({}, "all zeros");
 }
 
+TEST(RigidTransform, exact_parsing_changes_no_bit) {
+  auto rounded = row_major_from_transform(some_transform());
+  rounded[0] += 1e-7;
+  EXPECT_EQ(row_major_from_transform(exact_transform_from_row_major(rounded)), rounded);
+}
+
 TEST(RigidTransform, parsing_refuses_a_wrong_number_of_numbers) {
   const auto good = row_major_from_transform(some_transform());
   EXPECT_FALSE(transform_from_row_major(std::span(good).first(12)).ok());

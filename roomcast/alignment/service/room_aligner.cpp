@@ -13,6 +13,7 @@
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/room/calibration_message.h"
 #include "roomcast/wire/limits.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::alignment {
 
@@ -79,7 +80,7 @@ class RoomAligner::Link final : public client::HubLinkEvents {
     const auto before = std::exchange(sensors_, {});
     for (const pb::SensorEntry& entry : roster.sensors()) {
       auto calibration = client::calibration_from_message(entry.calibration());
-      const auto pose = client::read_transform(entry.world_from_depth());
+      const auto pose = wire::read_transform(entry.world_from_depth());
       if (!calibration || !pose) continue;
       sensors_[entry.id()] = {entry.name(), *std::move(calibration), entry.moved()};
       has_unplaced |= entry.online() && (entry.moved() || entry.placement() != pb::PLACEMENT_GIVEN);
@@ -111,7 +112,7 @@ class RoomAligner::Link final : public client::HubLinkEvents {
 
   void take_nudge(const pb::Nudge& nudge) {
     const auto sensor = sensors_.find(nudge.sensor_id());
-    const auto pose = client::read_transform(nudge.world_from_depth());
+    const auto pose = wire::read_transform(nudge.world_from_depth());
     if (sensor != sensors_.end() && pose) alignment_worker_.nudge(sensor->second.name, *pose);
   }
 
@@ -145,7 +146,7 @@ class RoomAligner::Link final : public client::HubLinkEvents {
         found.set_withdrawn(placement.withdrawn);
         found.set_note(placement.note.substr(0, wire::kMaxNoteBytes));
         if (placement.world_from_depth) {
-          client::write_transform(*placement.world_from_depth, *found.mutable_world_from_depth());
+          wire::write_transform(*placement.world_from_depth, *found.mutable_world_from_depth());
         }
       }
     }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/client/room/calibration_message.h"
 
-#include <span>
-
 #include "roomcast/wire/limits.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::client {
 namespace {
@@ -49,7 +48,7 @@ wire::pb::Calibration message_from_calibration(const SensorCalibration& calibrat
   wire::pb::Calibration message;
   write_intrinsics(calibration.depth, *message.mutable_depth());
   write_intrinsics(calibration.color, *message.mutable_color());
-  write_transform(calibration.color_from_depth, *message.mutable_color_from_depth());
+  wire::write_transform(calibration.color_from_depth, *message.mutable_color_from_depth());
   message.set_color_is_registered(calibration.color_is_registered);
   return message;
 }
@@ -60,20 +59,9 @@ Result<SensorCalibration> calibration_from_message(const wire::pb::Calibration& 
   if (!depth) return depth.error();
   auto color = read_intrinsics(message.color());
   if (!color) return color.error();
-  auto color_from_depth = read_transform(message.color_from_depth());
+  auto color_from_depth = wire::read_transform(message.color_from_depth());
   if (!color_from_depth) return color_from_depth.error();
   return SensorCalibration{*depth, *color, *color_from_depth, message.color_is_registered()};
-}
-
-void write_transform(const RigidTransform& transform,
-                     google::protobuf::RepeatedField<double>& row_major) {
-  const auto numbers = row_major_from_transform(transform);
-  row_major.Assign(numbers.begin(), numbers.end());
-}
-
-Result<RigidTransform> read_transform(const google::protobuf::RepeatedField<double>& row_major) {
-  return transform_from_row_major(
-      std::span(row_major.data(), static_cast<std::size_t>(row_major.size())));
 }
 
 }  // namespace roomcast::client

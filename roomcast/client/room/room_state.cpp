@@ -6,6 +6,7 @@
 
 #include "roomcast/client/room/calibration_message.h"
 #include "roomcast/wire/frame_header.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::client {
 
@@ -16,7 +17,7 @@ void RoomState::welcome(const wire::pb::Welcome& welcome) {
   room_.rights = {.may_record = welcome.may_record(), .may_export = welcome.may_export()};
   room_.self = ViewerId{welcome.viewer_id()};
   room_.clock.reset();
-  if (auto pose = read_transform(welcome.start_pose())) room_.start_pose = *pose;
+  if (auto pose = wire::read_transform(welcome.start_pose())) room_.start_pose = *pose;
   decoding_.clear();  // frames of an earlier connection are no base for new ones
 }
 
@@ -76,7 +77,7 @@ void RoomState::forget_others(const wire::pb::Roster& roster) {
 Status RoomState::update_sensor(const wire::pb::SensorEntry& entry) {
   auto calibration = calibration_from_message(entry.calibration());
   if (!calibration) return calibration.error();
-  auto world_from_depth = read_transform(entry.world_from_depth());
+  auto world_from_depth = wire::read_transform(entry.world_from_depth());
   if (!world_from_depth) return world_from_depth.error();
   const SensorId id{static_cast<std::uint16_t>(entry.id())};
   auto known = std::find_if(room_.sensors.begin(), room_.sensors.end(),

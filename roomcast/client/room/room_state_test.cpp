@@ -5,6 +5,7 @@
 
 #include "roomcast/client/room/calibration_message.h"
 #include "roomcast/wire/frame_header.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::client {
 namespace {
@@ -23,7 +24,7 @@ wire::pb::SensorEntry sensor_entry(unsigned id, int width = kWidth) {
   entry.set_fps(30);
   entry.set_placement(wire::pb::PLACEMENT_GIVEN);
   *entry.mutable_calibration() = message_from_calibration(calibration);
-  write_transform({}, *entry.mutable_world_from_depth());
+  wire::write_transform({}, *entry.mutable_world_from_depth());
   return entry;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "roomcast/geometry/rigid_transform.h"
+
 namespace roomcast::hub {
 
 namespace {
@@ -121,7 +123,7 @@ Json sensor_json(const SensorStats& sensor, const std::string& address) {
                {"moved", sensor.place.moved},
                {"unverified", sensor.place.unverified},
                {"expected_error_mm", sensor.place.expected_error_mm},
-               {"world_from_depth", sensor.place.world_from_depth}};
+               {"world_from_depth", row_major_from_transform(sensor.place.world_from_depth)}};
   if (sensor.clock_error_s) json["clock_error_ms"] = *sensor.clock_error_s * 1000;
   if (!address.empty()) json["address"] = address;
   if (!sensor.token_id.empty()) json["token_id"] = sensor.token_id;

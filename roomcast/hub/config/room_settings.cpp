@@ -122,10 +122,12 @@ std::optional<Who> who_is(std::string_view name) {
   return std::nullopt;
 }
 
-Matrix4 world_from_viewer(const StartPosition& position) {
+RigidTransform world_from_viewer(const StartPosition& position) {
   const double c = std::cos(position.yaw_rad), s = std::sin(position.yaw_rad);
-  return {c,  0, s, position.x_m, 0, 1, 0, position.eye_height_m,
-          -s, 0, c, position.z_m, 0, 0, 0, 1};
+  RigidTransform world_from_viewer;
+  world_from_viewer.rotation << c, 0, s, 0, 1, 0, -s, 0, c;
+  world_from_viewer.translation_m = {position.x_m, position.eye_height_m, position.z_m};
+  return world_from_viewer;
 }
 
 Status check(const RoomSettings& settings) {

@@ -12,7 +12,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "roomcast/core/result.h"
-#include "roomcast/hub/config/matrix4.h"
+#include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::hub {
@@ -36,7 +36,7 @@ struct StartPosition {
 };
 
 /// world_from_viewer, viewer frame x right, y up, -z forward.
-[[nodiscard]] Matrix4 world_from_viewer(const StartPosition& position);
+[[nodiscard]] RigidTransform world_from_viewer(const StartPosition& position);
 
 struct RoomSettings {
   std::string name = "room";

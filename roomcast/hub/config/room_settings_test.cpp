@@ -61,13 +61,12 @@ TEST(RoomSettings, a_room_needs_a_name_that_can_be_one) {
 }
 
 TEST(RoomSettings, a_start_position_looks_where_it_says) {
-  const Matrix4 ahead = world_from_viewer({.x_m = 1, .z_m = 2});
-  EXPECT_EQ(ahead[3], 1);
-  EXPECT_EQ(ahead[7], 1.6);
-  EXPECT_EQ(ahead[11], 2);
-  EXPECT_EQ(ahead[10], 1) << "-z of the viewer is -z of the world";
-  const Matrix4 left = world_from_viewer({.yaw_rad = std::numbers::pi / 2});
-  EXPECT_NEAR(-left[2], -1, 1e-12) << "a quarter turn counter-clockwise looks along -x";
+  const RigidTransform ahead = world_from_viewer({.x_m = 1, .z_m = 2});
+  EXPECT_EQ(ahead.translation_m, Eigen::Vector3d(1, 1.6, 2));
+  EXPECT_EQ(ahead.rotation.col(2).z(), 1) << "-z of the viewer is -z of the world";
+  const RigidTransform left = world_from_viewer({.yaw_rad = std::numbers::pi / 2});
+  EXPECT_NEAR(-left.rotation.col(2).x(), -1, 1e-12)
+      << "a quarter turn counter-clockwise looks along -x";
 }
 
 }  // namespace

@@ -6,13 +6,13 @@
 #include <string>
 
 #include "roomcast/core/ids.h"
-#include "roomcast/hub/config/matrix4.h"
+#include "roomcast/geometry/rigid_transform.h"
 
 namespace roomcast::hub {
 
 /// The pose of a sensor that alignment estimated.
 struct KnownPose {
-  Matrix4 world_from_depth{};
+  RigidTransform world_from_depth;
   float expected_error_mm = 0;
 };
 

@@ -128,7 +128,7 @@ class Room {
   [[nodiscard]] std::vector<ConnectionId> readers_of_roster() const;
   [[nodiscard]] std::vector<ConnectionId> readers_of_poses() const;
   [[nodiscard]] wire::pb::Roster roster() const;
-  [[nodiscard]] Matrix4 next_start_pose() const;
+  [[nodiscard]] RigidTransform next_start_pose() const;
   [[nodiscard]] RoomActions refuse(ConnectionId from, wire::pb::ErrorCode code,
                                    std::string sentence, RoomTime now);
 

@@ -10,6 +10,7 @@
 #include "roomcast/hub/room/backplane_connection.h"
 #include "roomcast/hub/room/room.h"
 #include "roomcast/wire/limits.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::hub {
 namespace {
@@ -120,8 +121,7 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, const Entry& ent
   welcome.mutable_welcome()->set_may_place(entry.may_place);
   welcome.mutable_welcome()->set_may_record(entry.may_record);
   welcome.mutable_welcome()->set_may_export(entry.may_share);
-  const Matrix4 pose = next_start_pose();
-  welcome.mutable_welcome()->mutable_start_pose()->Assign(pose.begin(), pose.end());
+  wire::write_transform(next_start_pose(), *welcome.mutable_welcome()->mutable_start_pose());
   welcome.mutable_welcome()->set_viewer_id(next_viewer_id_);
 
   if (viewers_.empty()) forget_newest_frames();
@@ -183,11 +183,11 @@ RoomSensor* Room::known_or_new_sensor(const std::string& name, RoomActions& out)
   return added;
 }
 
-Matrix4 Room::next_start_pose() const {
+RigidTransform Room::next_start_pose() const {
   if (const auto& positions = settings_.start_positions; !positions.empty()) {
     return world_from_viewer(positions[viewers_.size() % positions.size()]);
   }
-  std::vector<Matrix4> placed;
+  std::vector<RigidTransform> placed;
   for (const RoomSensor& sensor : sensors_.all()) {
     if (sensor.place.placement == pb::PLACEMENT_UNPLACED) continue;
     placed.push_back(sensor.place.world_from_depth);

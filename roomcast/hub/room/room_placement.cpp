@@ -69,7 +69,7 @@ void Room::place_unplaced_in_row() {
   const auto is_placed = [](const RoomSensor& sensor) {
     return sensor.place.placement != pb::PLACEMENT_UNPLACED;
   };
-  std::vector<Matrix4> placed;
+  std::vector<RigidTransform> placed;
   for (const RoomSensor& sensor : sensors_.all()) {
     if (is_placed(sensor)) placed.push_back(sensor.place.world_from_depth);
   }

@@ -175,8 +175,7 @@ TEST_F(RoomTest, what_sensors_catch_sight_of_aligners_are_told_under_their_own_i
 
 pb::Control nudge_message() {
   pb::Control control;
-  const Matrix4 pose = pose_at(5);
-  control.mutable_nudge()->mutable_world_from_depth()->Assign(pose.begin(), pose.end());
+  wire::write_transform(pose_at(5), *control.mutable_nudge()->mutable_world_from_depth());
   return control;
 }
 

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/hub/room/room.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::hub {
 
@@ -22,19 +23,18 @@ inline RoomTime at(nanoseconds since_start) {
   return RoomTime(1h + since_start);
 }
 
-inline Matrix4 pose_at(double x) {
-  return {1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+inline RigidTransform pose_at(double x) {
+  return {Eigen::Matrix3d::Identity(), {x, 0, 0}};
 }
 
 inline pb::Join sensor_join(const std::string& name,
-                            std::optional<Matrix4> world_from_depth = pose_at(1)) {
+                            std::optional<RigidTransform> world_from_depth = pose_at(1)) {
   pb::Join join;
   join.set_name(name);
   join.mutable_sensor()->set_fps(30);
   join.mutable_sensor()->mutable_calibration()->mutable_depth()->set_width(512);
   if (world_from_depth) {
-    join.mutable_sensor()->mutable_world_from_depth()->Assign(world_from_depth->begin(),
-                                                              world_from_depth->end());
+    wire::write_transform(*world_from_depth, *join.mutable_sensor()->mutable_world_from_depth());
   }
   return join;
 }
@@ -57,8 +57,7 @@ inline pb::Control placement_of(std::uint32_t sensor, double x) {
   pb::Control control;
   auto& found = *control.mutable_placements()->add_sensors();
   found.set_sensor_id(sensor);
-  const Matrix4 pose = pose_at(x);
-  found.mutable_world_from_depth()->Assign(pose.begin(), pose.end());
+  wire::write_transform(pose_at(x), *found.mutable_world_from_depth());
   found.set_expected_error_mm(4);
   return control;
 }

@@ -2,7 +2,8 @@
 #include "roomcast/hub/room/sensor_place.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::hub {
 
@@ -11,34 +12,34 @@ namespace pb = wire::pb;
 namespace {
 
 /// Readers of a pose make its rotation orthonormal, which may change its last bits.
-bool is_the_same(const google::protobuf::RepeatedField<double>& found, const Matrix4& known) {
+bool is_the_same(const RigidTransform& found, const RigidTransform& known) {
   constexpr double kRounding = 1e-9;
-  return std::ranges::equal(
-      found, known, [](double one, double other) { return std::abs(one - other) < kRounding; });
+  return (found.rotation - known.rotation).cwiseAbs().maxCoeff() < kRounding &&
+         (found.translation_m - known.translation_m).cwiseAbs().maxCoeff() < kRounding;
 }
 
 }  // namespace
 
 /// The sensors are placed in a row along x and face the world's -z.
-SensorPlace SensorPlace::guessed(std::size_t nth, std::span<const Matrix4> placed) {
+SensorPlace SensorPlace::guessed(std::size_t nth, std::span<const RigidTransform> placed) {
   constexpr double kSpacing_m = 3, kHeight_m = 1.2;
   constexpr double kBeside_m = 8;  // a sensor's view reaches at most that far to the side
-  constexpr std::size_t kX = 3, kZ = 11;
-  double x = kSpacing_m * static_cast<double>(nth), z = 0;
+  Eigen::Vector3d at_m(kSpacing_m * static_cast<double>(nth), kHeight_m, 0);
   if (!placed.empty()) {
-    const auto at = [](std::size_t i) { return [i](const Matrix4& pose) { return pose[i]; }; };
-    x += std::ranges::max(placed, {}, at(kX))[kX] + kBeside_m;
-    z = std::ranges::max(placed, {}, at(kZ))[kZ];
+    const auto x_of = [](const RigidTransform& pose) { return pose.translation_m.x(); };
+    const auto z_of = [](const RigidTransform& pose) { return pose.translation_m.z(); };
+    at_m.x() += x_of(std::ranges::max(placed, {}, x_of)) + kBeside_m;
+    at_m.z() = z_of(std::ranges::max(placed, {}, z_of));
   }
   // Optical axes to world: x right, y down -> -y, z forward -> -z.
   SensorPlace place;
-  place.world_from_depth = {1, 0, 0, x, 0, -1, 0, kHeight_m, 0, 0, -1, z, 0, 0, 0, 1};
+  place.world_from_depth = {Eigen::Vector3d(1, -1, -1).asDiagonal(), at_m};
   return place;
 }
 
 void SensorPlace::give(const pb::SensorRole& role) {
   if (role.world_from_depth().empty()) return;
-  std::ranges::copy(role.world_from_depth(), world_from_depth.begin());
+  world_from_depth = wire::exact_transform(role.world_from_depth());
   placement = pb::PLACEMENT_GIVEN;
   expected_error_mm = 0;
   note.clear();
@@ -55,8 +56,8 @@ bool SensorPlace::find(const pb::SensorPlacement& found) {
     return true;
   }
   if (found.world_from_depth().empty()) return false;
-  if (!is_the_same(found.world_from_depth(), world_from_depth))
-    std::ranges::copy(found.world_from_depth(), world_from_depth.begin());
+  const RigidTransform now = wire::exact_transform(found.world_from_depth());
+  if (!is_the_same(now, world_from_depth)) world_from_depth = now;
   placement = pb::PLACEMENT_ALIGNED;
   expected_error_mm = found.expected_error_mm();
   moved = false;
@@ -95,7 +96,7 @@ std::optional<KnownPose> SensorPlace::found() const {
 }
 
 void SensorPlace::write_to(pb::SensorEntry& entry) const {
-  entry.mutable_world_from_depth()->Assign(world_from_depth.begin(), world_from_depth.end());
+  wire::write_transform(world_from_depth, *entry.mutable_world_from_depth());
   entry.set_placement(placement);
   entry.set_expected_error_mm(expected_error_mm);
   entry.set_placement_note(note);

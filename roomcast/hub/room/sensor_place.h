@@ -13,7 +13,7 @@
 #include <string>
 
 #include "roomcast/core/ids.h"
-#include "roomcast/hub/config/matrix4.h"
+#include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/hub/room/known_sensor.h"
 #include "roomcast/wire/control.pb.h"
 
@@ -21,7 +21,7 @@ namespace roomcast::hub {
 
 struct SensorPlace {
   wire::pb::Placement placement = wire::pb::PLACEMENT_UNPLACED;
-  Matrix4 world_from_depth{};
+  RigidTransform world_from_depth;
   float expected_error_mm = 0;  // 0: unknown
   std::string note;             // why alignment could not place the sensor
   bool moved = false;           // the sensor was moved since this pose was set
@@ -30,7 +30,8 @@ struct SensorPlace {
 
   /// The provisional pose of the `nth` unplaced sensor: next to the room, well outside the area of
   /// the placed sensors.
-  [[nodiscard]] static SensorPlace guessed(std::size_t nth, std::span<const Matrix4> placed = {});
+  [[nodiscard]] static SensorPlace guessed(std::size_t nth,
+                                           std::span<const RigidTransform> placed = {});
 
   /// Takes the pose that the sensor supplies in its Join, if any.
   void give(const wire::pb::SensorRole& role);

@@ -7,13 +7,14 @@
 #include <cstddef>
 #include <span>
 
-#include "roomcast/hub/config/matrix4.h"
+#include "roomcast/geometry/rigid_transform.h"
 
 namespace roomcast::hub {
 
 /// world_from_viewer of the `index`-th viewer; viewer frame x right, y up, -z forward; metres.
 /// `world_from_depth`: the poses of all placed sensors (optical frames). Viewers are distributed
 /// over the sensors; several at one sensor start side by side.
-[[nodiscard]] Matrix4 start_pose(std::span<const Matrix4> world_from_depth, std::size_t index);
+[[nodiscard]] RigidTransform start_pose(std::span<const RigidTransform> world_from_depth,
+                                        std::size_t index);
 
 }  // namespace roomcast::hub

@@ -2,11 +2,13 @@
 #include "roomcast/hub/store/sensor_store.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
 #include <utility>
 
+#include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::hub {
@@ -20,15 +22,16 @@ constexpr char kForget[] = "DELETE FROM sensors WHERE room = ?1";
 constexpr char kForgetOne[] = "DELETE FROM sensors WHERE room = ?1 AND name = ?2";
 
 std::optional<KnownPose> read_pose(const Statement& row, int column) {
-  KnownPose pose;
+  std::array<double, 16> row_major{};
   const std::string_view bytes = row.blob(column);
-  if (bytes.size() != sizeof(pose.world_from_depth)) return std::nullopt;
-  std::memcpy(pose.world_from_depth.data(), bytes.data(), bytes.size());
-  pose.expected_error_mm = static_cast<float>(row.real(column + 1));
+  if (bytes.size() != sizeof(row_major)) return std::nullopt;
+  std::memcpy(row_major.data(), bytes.data(), bytes.size());
+  const auto expected_error_mm = static_cast<float>(row.real(column + 1));
   const bool makes_sense =
-      std::ranges::all_of(pose.world_from_depth, [](double x) { return std::isfinite(x); }) &&
-      pose.expected_error_mm >= 0;
-  return makes_sense ? std::optional(pose) : std::nullopt;
+      std::ranges::all_of(row_major, [](double x) { return std::isfinite(x); }) &&
+      expected_error_mm >= 0;
+  if (!makes_sense) return std::nullopt;
+  return KnownPose{exact_transform_from_row_major(row_major), expected_error_mm};
 }
 
 std::optional<KnownSensor> read_sensor(const Statement& row) {
@@ -56,8 +59,8 @@ Status SensorStore::save(const std::string& room, std::span<const KnownSensor> s
     Statement statement(database_, kSave);
     statement.bind(1, room).bind(2, sensor.name).bind(3, std::int64_t{sensor.id.value});
     if (sensor.pose) {
-      const auto& pose = sensor.pose->world_from_depth;
-      statement.bind_blob(4, pose.data(), sizeof(pose));
+      const auto row_major = row_major_from_transform(sensor.pose->world_from_depth);
+      statement.bind_blob(4, row_major.data(), sizeof(row_major));
       statement.bind(5, static_cast<double>(sensor.pose->expected_error_mm));
     }
     if (statement.run()) continue;

@@ -13,6 +13,7 @@
 #include "roomcast/recording/room/recording_cursor.h"
 #include "roomcast/recording/room/room_recording.h"
 #include "roomcast/wire/frame_header.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::recording {
 namespace {
@@ -33,7 +34,7 @@ Result<source::SensorDescription> describe(const RoomRecording& recording,
   description.fps = sensor.entry.fps();
   for (const auto& entry : recording.roster_at(recording.start()).sensors()) {
     if (entry.name() != sensor.name || entry.placement() == wire::pb::PLACEMENT_UNPLACED) continue;
-    auto pose = client::read_transform(entry.world_from_depth());
+    auto pose = wire::read_transform(entry.world_from_depth());
     if (!pose) return pose.error();
     description.world_from_depth = *pose;
   }

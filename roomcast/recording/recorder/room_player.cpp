@@ -9,6 +9,7 @@
 #include "roomcast/core/interruptible_wait.h"
 #include "roomcast/recording/room/recording_cursor.h"
 #include "roomcast/wire/frame_header.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::recording {
 namespace {
@@ -34,7 +35,7 @@ Result<client::PublisherOptions> publisher_options(const wire::pb::SensorEntry& 
   publisher.fps = entry.fps() * options.speed;
   publisher.log = options.log;
   if (entry.placement() != wire::pb::PLACEMENT_UNPLACED) {
-    auto pose = client::read_transform(entry.world_from_depth());
+    auto pose = wire::read_transform(entry.world_from_depth());
     if (!pose) return pose.error();
     publisher.world_from_depth = *pose;
   }

@@ -14,6 +14,7 @@
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/recording/room/room_recording_writer.h"
 #include "roomcast/wire/frame_header.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::recording {
 
@@ -83,8 +84,8 @@ class RecordingFixtureRoom {
       entry.set_fps(i + 1 == static_cast<int>(encoders_.size()) ? last_fps_ : 10);
       entry.set_placement(placed ? wire::pb::PLACEMENT_ALIGNED : wire::pb::PLACEMENT_UNPLACED);
       *entry.mutable_calibration() = client::message_from_calibration(calibration());
-      client::write_transform(placed ? world_from_depth(i) : RigidTransform(),
-                              *entry.mutable_world_from_depth());
+      wire::write_transform(placed ? world_from_depth(i) : RigidTransform(),
+                            *entry.mutable_world_from_depth());
     }
     return roster;
   }

@@ -8,6 +8,7 @@
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/recording/room/recording_cursor.h"
 #include "roomcast/recording/room/recording_fixture.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::recording {
 namespace {
@@ -63,7 +64,7 @@ TEST_F(RoomRecordingTest, frames_recorded_before_a_sensor_was_placed_have_its_po
   ASSERT_EQ(recording->rosters().size(), 2u);
   const auto& entry = recording->roster_at(RecordingFixtureRoom::came(0)).sensors(1);
   EXPECT_EQ(entry.placement(), wire::pb::PLACEMENT_ALIGNED);
-  EXPECT_EQ(client::read_transform(entry.world_from_depth())->translation_m.x(), 0.5);
+  EXPECT_EQ(wire::read_transform(entry.world_from_depth())->translation_m.x(), 0.5);
 }
 
 TEST_F(RoomRecordingTest, without_its_end_it_loses_no_more_than_the_open_chunk) {
