@@ -29,7 +29,7 @@ class PointSink {
 
 void add_points(const ReceivedSensor& received, PointSink& sink) {
   const codec::DecodedFrame& frame = *received.frame;
-  const RigidTransform& world_from_depth = received.sensor->world_from_depth;
+  const RigidTransform& world_from_depth = received.sensor->pose.world_from_depth;
   const Eigen::Matrix3f rotation = world_from_depth.rotation.cast<float>();
   const Eigen::Vector3f place_m = world_from_depth.translation_m.cast<float>();
   for (int y = 0; y < frame.depth_mm.height(); ++y) {
@@ -49,7 +49,7 @@ std::size_t write_points(const std::vector<ReceivedSensor>& sensors,
                          std::span<roomcast_point> out) {
   PointSink sink(out);
   for (const ReceivedSensor& received : sensors) {
-    if (received.sensor->placed) add_points(received, sink);
+    if (received.sensor->pose.is_placed()) add_points(received, sink);
   }
   return sink.count();
 }

@@ -24,9 +24,11 @@ client::RoomSensor sensor_that_sees(const DepthImage& depth_mm, const ColorImage
   picture->frame = {depth_mm, color, MaskImage(3, 2, 255)};
   client::RoomSensor sensor;
   sensor.id = SensorId{7};
-  sensor.online = sensor.placed = true;
+  sensor.online = true;
+  sensor.pose.source = PoseSource::kGiven;
+  sensor.pose.state = PoseState::kValid;
   sensor.calibration.depth = kCamera;
-  sensor.world_from_depth = looking_along_x();
+  sensor.pose.world_from_depth = looking_along_x();
   sensor.picture = std::move(picture);
   return sensor;
 }
@@ -83,7 +85,7 @@ TEST_F(RoomPointsTest, points_for_which_there_is_no_room_are_counted) {
 
 TEST_F(RoomPointsTest, an_unplaced_sensor_gives_no_points) {
   client::RoomSensor sensor = sensor_that_sees(one_reading(), {});
-  sensor.placed = false;
+  sensor.pose.source = PoseSource::kNone;
   EXPECT_EQ(points_of(std::move(sensor)), 0u);
 }
 

@@ -98,8 +98,8 @@ roomcast_sensor describe(const capi::ReceivedSensor& received) {
   out.k3 = camera.k3;
   out.p1 = camera.p1;
   out.p2 = camera.p2;
-  std::ranges::copy(row_major_from_transform(sensor.world_from_depth), out.world_from_depth);
-  out.placed = sensor.placed ? 1 : 0;
+  std::ranges::copy(row_major_from_transform(sensor.pose.world_from_depth), out.world_from_depth);
+  out.placed = sensor.pose.is_placed() ? 1 : 0;
   out.seq = sensor.picture->seq;
   out.capture_ns = sensor.picture->capture_time.time_since_epoch().count();
   out.depth_mm = frame.depth_mm.data();

@@ -141,7 +141,7 @@ Status watch_room(const Feeds& feeds, std::uint16_t port, double seconds,
   std::size_t seen = 0, placed = 0;
   for (const auto& sensor : room->sensors) {
     seen += sensor.picture != nullptr;
-    placed += sensor.placed;
+    placed += sensor.pose.is_placed() ? 1 : 0;
   }
   fmt::print("received {} of {} sensors, {} placed, {:.1f} frame sets/s, {:.2f} MB/s\n", seen,
              feeds.size(), placed, static_cast<double>(room->sets_received) / elapsed,

@@ -114,7 +114,7 @@ void print_json(const ViewOptions& options, const client::RoomSnapshot& room) {
     report["sensors"].push_back(
         {{"id", sensor.id.value},
          {"name", sensor.name},
-         {"placed", sensor.placed},
+         {"placed", sensor.pose.is_placed()},
          {"seq", sensor.picture->seq},
          {"capture_ns", sensor.picture->capture_time.time_since_epoch().count()},
          {"depth_crc32", sensor::depth_crc32(sensor.picture->frame.depth_mm)}});

@@ -16,6 +16,7 @@
 #include "roomcast/core/ids.h"
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/geometry/sensor_pose.h"
 
 namespace roomcast::client {
 
@@ -32,14 +33,9 @@ struct RoomSensor {
   SensorId id{};
   std::string name;
   bool online = false;
-  bool placed = false;          // false: world_from_depth is only a placeholder
-  bool moved = false;           // moved since world_from_depth was known
-  bool unverified = false;      // away since world_from_depth was estimated; not confirmed yet
-  float expected_error_mm = 0;  // of a pose estimated from what sensors see; 0: no such pose
-  std::string placement_note;   // why it could not be placed, for display; else empty
+  SensorPose pose;
   double fps = 0;
   SensorCalibration calibration;
-  RigidTransform world_from_depth;
   std::shared_ptr<const SensorPicture> picture;  // null before its first frame
   std::uint64_t frames_received = 0;
   std::uint64_t frames_missed = 0;  // skipped on their way, or not decodable

@@ -77,8 +77,8 @@ void RoomState::forget_others(const wire::pb::Roster& roster) {
 Status RoomState::update_sensor(const wire::pb::SensorEntry& entry) {
   auto calibration = calibration_from_message(entry.calibration());
   if (!calibration) return calibration.error();
-  auto world_from_depth = wire::read_transform(entry.world_from_depth());
-  if (!world_from_depth) return world_from_depth.error();
+  auto pose = wire::read_pose(entry);
+  if (!pose) return pose.error();
   const SensorId id{static_cast<std::uint16_t>(entry.id())};
   auto known = std::find_if(room_.sensors.begin(), room_.sensors.end(),
                             [&](const RoomSensor& s) { return s.id == id; });
@@ -90,15 +90,9 @@ Status RoomState::update_sensor(const wire::pb::SensorEntry& entry) {
                             known->calibration.depth.height != calibration->depth.height;
   known->name = entry.name();
   known->online = entry.online();
-  known->placed = entry.placement() != wire::pb::PLACEMENT_UNPLACED;
-  known->moved = entry.moved();
-  known->unverified = entry.unverified();
-  known->expected_error_mm =
-      entry.placement() == wire::pb::PLACEMENT_ALIGNED ? entry.expected_error_mm() : 0;
-  known->placement_note = entry.placement_note();
+  known->pose = *std::move(pose);
   known->fps = entry.fps();
   known->calibration = *calibration;
-  known->world_from_depth = *world_from_depth;
   if (another_grid) {
     known->picture.reset();
     decoding_.erase(id);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/geometry/sensor_pose.h"
 
 namespace roomcast::hub {
 
@@ -53,9 +53,9 @@ Named named(ErrorCode code) {
   }
 }
 
-const char* name_of(pb::Placement placement) {
-  if (placement == pb::PLACEMENT_GIVEN) return "given";
-  return placement == pb::PLACEMENT_ALIGNED ? "aligned" : "unplaced";
+const char* placement_name(const SensorPose& pose) {
+  if (pose.source == PoseSource::kGiven) return "given";
+  return pose.is_estimated() ? "aligned" : "unplaced";
 }
 
 void count_people(const RoomStats& stats, Json& json) {
@@ -118,12 +118,12 @@ Json sensor_json(const SensorStats& sensor, const std::string& address) {
                {"frames_per_second", sensor.frames_per_s},
                {"bytes_per_second", sensor.bytes_per_s},
                {"delay_ms", sensor.delay_s * 1000},
-               {"placement", name_of(sensor.place.placement)},
-               {"placement_note", sensor.place.note},
-               {"moved", sensor.place.moved},
-               {"unverified", sensor.place.unverified},
-               {"expected_error_mm", sensor.place.expected_error_mm},
-               {"world_from_depth", row_major_from_transform(sensor.place.world_from_depth)}};
+               {"placement", placement_name(sensor.pose)},
+               {"placement_note", sensor.pose.note},
+               {"moved", sensor.pose.is_moved()},
+               {"unverified", sensor.pose.source == PoseSource::kStored},
+               {"expected_error_mm", sensor.pose.expected_error_mm},
+               {"world_from_depth", row_major_from_transform(sensor.pose.world_from_depth)}};
   if (sensor.clock_error_s) json["clock_error_ms"] = *sensor.clock_error_s * 1000;
   if (!address.empty()) json["address"] = address;
   if (!sensor.token_id.empty()) json["token_id"] = sensor.token_id;

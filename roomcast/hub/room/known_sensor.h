@@ -6,20 +6,14 @@
 #include <string>
 
 #include "roomcast/core/ids.h"
-#include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/geometry/sensor_pose.h"
 
 namespace roomcast::hub {
-
-/// The pose of a sensor that alignment estimated.
-struct KnownPose {
-  RigidTransform world_from_depth;
-  float expected_error_mm = 0;
-};
 
 struct KnownSensor {
   std::string name;  // its identity in the room
   SensorId id;
-  std::optional<KnownPose> pose = {};  // nothing: never estimated, or supplied by the sensor
+  std::optional<SensorPose> pose = {};  // nothing: never estimated, or supplied by the sensor
 };
 
 }  // namespace roomcast::hub

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "roomcast/wire/limits.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::hub {
 
@@ -274,7 +275,7 @@ pb::Roster Room::roster() const {
     entry.set_name(sensor.name);
     entry.set_online(sensor.connection.has_value());
     *entry.mutable_calibration() = sensor.description.calibration();
-    sensor.place.write_to(entry);
+    wire::write_pose(sensor.pose, entry);
     entry.set_fps(sensor.description.fps());
   }
   for (const auto& [connection, viewer] : viewers_) {
@@ -298,7 +299,7 @@ RoomStats Room::stats() const {
     entry.online = sensor.connection.has_value();
     entry.connection = sensor.connection.value_or(ConnectionId{});
     entry.token_id = sensor.connection ? sensor.token_id : "";
-    entry.place = sensor.place;
+    entry.pose = sensor.pose;
   }
   for (const auto& [connection, viewer] : viewers_) {
     stats.viewers.push_back({.id = viewer.id,

@@ -51,10 +51,10 @@ TEST_F(RoomTest, who_has_a_place_that_was_found_keeps_it_while_gone) {
 }
 
 TEST_F(RoomTest, who_was_forgotten_comes_back_as_a_new_one) {
-  room.remember({{"left", SensorId{0}, KnownPose{pose_at(7), 3}}});
+  room.remember({{"left", SensorId{0}, stored_pose_at(7, 3)}});
   (void)room.forget("left", at(0s));
   const auto left = enter(sensor_join("left", std::nullopt));
-  EXPECT_FALSE(room.stats().sensors.at(0).place.found());
+  EXPECT_FALSE(room.stats().sensors.at(0).pose.is_estimated());
   EXPECT_THAT(room.forget("left", at(1s)), IsEmpty()) << "it is here";
   EXPECT_EQ(room.stats().sensors.size(), 1U);
   (void)room.leave(left, at(2s));
@@ -72,9 +72,9 @@ TEST_F(RoomTest, what_was_found_of_who_had_the_id_before_is_too_late) {
   enter(sensor_join("right", std::nullopt), 3s);
   const auto aligner = enter(aligner_join());
   (void)room.control(aligner, placement_from_bundle(1, 7), at(4s));
-  EXPECT_FALSE(room.stats().sensors.at(0).place.found());
+  EXPECT_FALSE(room.stats().sensors.at(0).pose.is_estimated());
   (void)room.control(aligner, placement_from_bundle(2, 7), at(5s));
-  EXPECT_TRUE(room.stats().sensors.at(0).place.found());
+  EXPECT_TRUE(room.stats().sensors.at(0).pose.is_estimated());
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "roomcast/core/assert.h"
 #include "roomcast/hub/room/backplane_connection.h"
+#include "roomcast/hub/room/pose_rules.h"
 #include "roomcast/hub/room/room.h"
 #include "roomcast/wire/limits.h"
 #include "roomcast/wire/pose_message.h"
@@ -84,8 +85,11 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   sensor->key_pace = {};  // its first frame is a key frame anyway
   sensor->stats.newest_seq.reset();
   sensor->bundle.reset();
-  if (was_here) sensor->place.doubt(sensor->bundles + 1);
-  sensor->place.give(join.sensor());
+  if (was_here && sensor->pose.is_estimated()) {
+    doubt(sensor->pose);
+    sensor->valid_from_bundle = sensor->bundles + 1;
+  }
+  take_given(join.sensor(), sensor->pose);
   sets_.remove_sensor(sensor->id);
   sets_.add_sensor(sensor->id, join.sensor().fps(), entry.other_hub);
 
@@ -176,7 +180,7 @@ RoomSensor* Room::known_or_new_sensor(const std::string& name, RoomActions& out)
   if (added == nullptr) return nullptr;
   const KnownSensor* earlier = sensors_.remembered(name);
   const auto pose = earlier != nullptr ? earlier->pose : std::nullopt;
-  if (pose && recalls_poses_) added->place.recall(*pose);
+  if (pose && recalls_poses_) added->pose = *pose;
   if (earlier == nullptr || earlier->id != added->id) {
     out.push_back(SaveSensors{{{name, added->id, pose}}});
   }
@@ -189,11 +193,10 @@ RigidTransform Room::next_start_pose() const {
   }
   std::vector<RigidTransform> placed;
   for (const RoomSensor& sensor : sensors_.all()) {
-    if (sensor.place.placement == pb::PLACEMENT_UNPLACED) continue;
-    placed.push_back(sensor.place.world_from_depth);
+    if (sensor.pose.is_placed()) placed.push_back(sensor.pose.world_from_depth);
   }
   if (placed.empty()) {
-    for (const RoomSensor& sensor : sensors_.all()) placed.push_back(sensor.place.world_from_depth);
+    for (const RoomSensor& sensor : sensors_.all()) placed.push_back(sensor.pose.world_from_depth);
   }
   return start_pose(placed, viewers_.size());
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a Room handles the messages of sensors and aligners about sensor poses.
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "roomcast/hub/room/pose_rules.h"
 #include "roomcast/hub/room/room.h"
 
 namespace roomcast::hub {
@@ -16,8 +18,8 @@ namespace pb = wire::pb;
 void Room::keep_bundle(RoomSensor& sensor, const pb::CalibrationBundle& bundle, RoomTime now,
                        RoomActions& out) {
   sensor.bundle_hash = std::hash<std::string>{}(bundle.SerializeAsString());
-  if (sensor.place.unverified && sensor.bundle_hash == sensor.verified_by) {
-    sensor.place.unverified = false;
+  if (sensor.pose.source == PoseSource::kStored && sensor.bundle_hash == sensor.verified_by) {
+    confirm(sensor.pose);
     announce(now, out);
   }
   pb::Control message;
@@ -47,7 +49,8 @@ void Room::pass_to_aligners(pb::Control message, RoomActions& out) const {
 void Room::lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out) {
   sensor.bundle.reset();
   sensor.verified_by.reset();
-  sensor.place.lose(sensor.bundles + 1);
+  sensor.pose.state = PoseState::kMoved;
+  sensor.valid_from_bundle = sensor.bundles + 1;
   announce(now, out);
 }
 
@@ -55,10 +58,13 @@ void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomA
   std::vector<KnownSensor> placed;
   for (const pb::SensorPlacement& found : placements.sensors()) {
     RoomSensor* sensor = sensors_.find(wire_id(found.sensor_id()));
-    if (sensor == nullptr || !sensor->place.find(found)) continue;
-    if (!sensor->place.unverified && found.bundle_number() == sensor->bundles)
+    if (sensor == nullptr || found.bundle_number() < sensor->valid_from_bundle) continue;
+    SensorPose& pose = sensor->pose;
+    if (!take_estimate(found, pose)) continue;
+    if (pose.source != PoseSource::kStored && found.bundle_number() == sensor->bundles)
       sensor->verified_by = sensor->bundle_hash;
-    placed.push_back({sensor->name, sensor->id, sensor->place.found()});
+    placed.push_back(
+        {sensor->name, sensor->id, pose.is_estimated() ? std::optional(pose) : std::nullopt});
   }
   if (!placed.empty()) out.push_back(SaveSensors{std::move(placed)});
   announce(now, out);
@@ -66,17 +72,13 @@ void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomA
 
 /// Shows unplaced sensors in a row next to the placed ones.
 void Room::place_unplaced_in_row() {
-  const auto is_placed = [](const RoomSensor& sensor) {
-    return sensor.place.placement != pb::PLACEMENT_UNPLACED;
-  };
   std::vector<RigidTransform> placed;
   for (const RoomSensor& sensor : sensors_.all()) {
-    if (is_placed(sensor)) placed.push_back(sensor.place.world_from_depth);
+    if (sensor.pose.is_placed()) placed.push_back(sensor.pose.world_from_depth);
   }
   std::size_t nth = 0;
   for (RoomSensor& sensor : sensors_.all()) {
-    if (is_placed(sensor)) continue;
-    sensor.place.world_from_depth = SensorPlace::guessed(nth++, placed).world_from_depth;
+    if (!sensor.pose.is_placed()) sensor.pose.world_from_depth = placeholder_pose(nth++, placed);
   }
 }
 

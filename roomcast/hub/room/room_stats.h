@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "roomcast/core/clock.h"
+#include "roomcast/geometry/sensor_pose.h"
 #include "roomcast/hub/room/frame_set.h"
-#include "roomcast/hub/room/sensor_place.h"
 
 namespace roomcast::hub {
 
@@ -19,7 +19,7 @@ struct SensorStats {
   bool online = false;
   ConnectionId connection = {};  // while online
   std::string token_id = {};     // of the token that it joined with
-  SensorPlace place = {};
+  SensorPose pose = {};
   std::uint64_t frames = 0;
   std::uint64_t bytes = 0;
   std::optional<std::uint32_t> newest_seq = {};  // nothing: no gap before the next frame

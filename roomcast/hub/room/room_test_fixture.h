@@ -27,6 +27,11 @@ inline RigidTransform pose_at(double x) {
   return {Eigen::Matrix3d::Identity(), {x, 0, 0}};
 }
 
+/// The pose at (x, 0, 0) as a store returns it.
+inline SensorPose stored_pose_at(double x, double expected_error_mm) {
+  return {pose_at(x), PoseSource::kStored, PoseState::kUnverified, expected_error_mm, ""};
+}
+
 inline pb::Join sensor_join(const std::string& name,
                             std::optional<RigidTransform> world_from_depth = pose_at(1)) {
   pb::Join join;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "roomcast/core/assert.h"
+#include "roomcast/hub/room/pose_rules.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::hub {
@@ -21,9 +22,10 @@ const KnownSensor* SensorList::remembered(const std::string& name) const {
 RoomSensor* SensorList::add(const std::string& name) {
   const auto id = free_id(name);
   if (!id) return nullptr;
-  RoomSensor sensor{.id = *id, .name = name, .place = SensorPlace::guessed(id->value)};
+  RoomSensor sensor{.id = *id, .name = name};
+  sensor.pose.world_from_depth = placeholder_pose(id->value);
   sensor.bundles = max_removed_bundle_;
-  if (sensor.bundles > 0) sensor.place.valid_from_bundle = sensor.bundles + 1;
+  if (sensor.bundles > 0) sensor.valid_from_bundle = sensor.bundles + 1;
   return &sensors_.emplace(*id, std::move(sensor)).first->second;
 }
 
@@ -60,7 +62,7 @@ bool SensorList::would_displace(const std::string& name) const {
 RoomSensor* SensorList::longest_gone() {
   RoomSensor* longest = nullptr;
   for (RoomSensor& sensor : all()) {
-    if (sensor.connection || sensor.place.found()) continue;
+    if (sensor.connection || sensor.pose.is_estimated()) continue;
     if (longest == nullptr || sensor.left_as < longest->left_as) longest = &sensor;
   }
   return longest;

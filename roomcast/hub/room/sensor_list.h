@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "roomcast/core/ids.h"
+#include "roomcast/geometry/sensor_pose.h"
 #include "roomcast/hub/room/key_request_pace.h"
 #include "roomcast/hub/room/known_sensor.h"
 #include "roomcast/hub/room/room_stats.h"
-#include "roomcast/hub/room/sensor_place.h"
 #include "roomcast/wire/control.pb.h"
 
 namespace roomcast::hub {
@@ -31,7 +31,8 @@ struct RoomSensor {
   std::string name;
   std::optional<ConnectionId> connection = {};  // while online
   wire::pb::SensorRole description = {};        // from its newest Join
-  SensorPlace place = {};
+  SensorPose pose = {};
+  std::uint32_t valid_from_bundle = 0;           // ignore poses estimated from earlier bundles
   std::optional<wire::pb::Control> bundle = {};  // the newest one since it joined
   std::uint32_t bundles = 0;                     // number of bundles that it has ever sent
   std::size_t bundle_hash = 0;                   // of the newest bundle

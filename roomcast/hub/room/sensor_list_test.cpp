@@ -40,7 +40,7 @@ TEST(SensorList, gives_ids_of_those_with_a_place_away_last) {
   SensorList sensors;
   std::vector<KnownSensor> earlier;
   for (std::uint16_t i = 0; i < wire::kMaxSensors; ++i) {
-    earlier.push_back({"old" + std::to_string(i), SensorId{i}, KnownPose{}});
+    earlier.push_back({"old" + std::to_string(i), SensorId{i}, SensorPose{}});
   }
   earlier[5].pose.reset();
   sensors.remember(earlier);

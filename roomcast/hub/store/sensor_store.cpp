@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/geometry/sensor_pose.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::hub {
@@ -21,7 +21,7 @@ constexpr char kSave[] = "INSERT OR REPLACE INTO sensors VALUES (?1, ?2, ?3, ?4,
 constexpr char kForget[] = "DELETE FROM sensors WHERE room = ?1";
 constexpr char kForgetOne[] = "DELETE FROM sensors WHERE room = ?1 AND name = ?2";
 
-std::optional<KnownPose> read_pose(const Statement& row, int column) {
+std::optional<SensorPose> read_pose(const Statement& row, int column) {
   std::array<double, 16> row_major{};
   const std::string_view bytes = row.blob(column);
   if (bytes.size() != sizeof(row_major)) return std::nullopt;
@@ -31,7 +31,10 @@ std::optional<KnownPose> read_pose(const Statement& row, int column) {
       std::ranges::all_of(row_major, [](double x) { return std::isfinite(x); }) &&
       expected_error_mm >= 0;
   if (!makes_sense) return std::nullopt;
-  return KnownPose{exact_transform_from_row_major(row_major), expected_error_mm};
+  return SensorPose{.world_from_depth = exact_transform_from_row_major(row_major),
+                    .source = PoseSource::kStored,
+                    .state = PoseState::kUnverified,
+                    .expected_error_mm = expected_error_mm};
 }
 
 std::optional<KnownSensor> read_sensor(const Statement& row) {
@@ -61,7 +64,7 @@ Status SensorStore::save(const std::string& room, std::span<const KnownSensor> s
     if (sensor.pose) {
       const auto row_major = row_major_from_transform(sensor.pose->world_from_depth);
       statement.bind_blob(4, row_major.data(), sizeof(row_major));
-      statement.bind(5, static_cast<double>(sensor.pose->expected_error_mm));
+      statement.bind(5, sensor.pose->expected_error_mm);
     }
     if (statement.run()) continue;
     const Error error = database_.failure("cannot keep a sensor");

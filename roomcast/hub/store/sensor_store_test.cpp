@@ -22,7 +22,11 @@ Open open_store(const TemporaryFolder& folder) {
 }
 
 KnownSensor sensor_at(const std::string& name, std::uint16_t id, double x) {
-  return {name, SensorId{id}, KnownPose{{Eigen::Matrix3d::Identity(), {x, 0, 0}}, 4}};
+  return {name, SensorId{id},
+          SensorPose{.world_from_depth = {Eigen::Matrix3d::Identity(), {x, 0, 0}},
+                     .source = PoseSource::kEstimated,
+                     .state = PoseState::kValid,
+                     .expected_error_mm = 4}};
 }
 
 TEST(SensorStore, what_was_kept_is_there_after_a_restart) {
@@ -38,6 +42,8 @@ TEST(SensorStore, what_was_kept_is_there_after_a_restart) {
   EXPECT_EQ((*kept)[1].pose->world_from_depth.translation_m,
             sensors[1].pose->world_from_depth.translation_m);
   EXPECT_EQ((*kept)[1].pose->expected_error_mm, 4);
+  EXPECT_EQ((*kept)[1].pose->source, PoseSource::kStored);
+  EXPECT_EQ((*kept)[1].pose->state, PoseState::kUnverified);
   EXPECT_TRUE(store->load("kitchen")->empty());
 }
 

@@ -86,7 +86,7 @@ class RecordedSets final : public FrameSetReader {
     SetFrame frame;
     frame.sensor = index->second;
     frame.pictures = codec::with_color_in_depth_grid({sensor.picture, &sensor.picture->frame});
-    if (sensor.placed) frame.world_from_depth = sensor.world_from_depth;
+    if (sensor.pose.is_placed()) frame.world_from_depth = sensor.pose.world_from_depth;
     frame.time =
         sensor.picture->capture_time.time_since_epoch() + unix_minus_room_ - recording_.origin();
     set.time = std::max(set.time, frame.time);

@@ -95,14 +95,15 @@ void draw_latency(const PanelFacts& facts) {
 }
 
 void draw_placement(const client::RoomSensor& sensor) {
-  if (sensor.moved) {
+  if (sensor.pose.is_moved()) {
     ImGui::TextColored(kYellow, "moved");
-  } else if (!sensor.placed) {
+  } else if (!sensor.pose.is_placed()) {
     ImGui::TextColored(kYellow, "not placed");
-  } else if (sensor.unverified) {
+  } else if (sensor.pose.state == PoseState::kUnverified) {
     ImGui::TextColored(kYellow, "not verified");
-  } else if (sensor.expected_error_mm > 0) {
-    ImGui::TextColored(kGreen, "+- %.0f mm", std::max(1.F, std::round(sensor.expected_error_mm)));
+  } else if (sensor.pose.expected_error_mm > 0) {
+    ImGui::TextColored(kGreen, "+- %.0f mm",
+                       std::max(1.0, std::round(sensor.pose.expected_error_mm)));
   } else {
     ImGui::TextColored(kGreen, "placed");
   }
@@ -134,7 +135,7 @@ void draw_sensor(const client::RoomSensor& sensor, const SensorFigures& figures,
     ImGui::NewLine();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
   }
-  if (!sensor.placement_note.empty()) ImGui::TextWrapped("%s", sensor.placement_note.c_str());
+  if (!sensor.pose.note.empty()) ImGui::TextWrapped("%s", sensor.pose.note.c_str());
   ImGui::Unindent();
   ImGui::PopID();
 }

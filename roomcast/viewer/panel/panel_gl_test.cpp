@@ -84,7 +84,9 @@ TEST_F(PanelTest, grows_with_each_sensor) {
   const int before = changed_pixels(draw(), 0, 420);
   client::RoomSensor& sensor = room.sensors.emplace_back();
   sensor.name = "left";
-  sensor.online = sensor.placed = true;
+  sensor.online = true;
+  sensor.pose.source = PoseSource::kGiven;
+  sensor.pose.state = PoseState::kValid;
   report.follow(room, HostTime(std::chrono::hours(1)));
   EXPECT_GT(changed_pixels(draw(), 0, 420), before + 2000);
 }

@@ -38,15 +38,14 @@ std::optional<RoomProblem> problem_of(const client::RoomSensor& sensor, HostTime
   }
   if (!sensor.picture)
     return RoomProblem{Severity::kNotice, sensor.name, name + " has not sent a picture yet."};
-  if (sensor.moved)
+  if (sensor.pose.is_moved())
     return RoomProblem{Severity::kNotice, sensor.name,
                        name + " was moved: it is shown where it was until it is aligned again."};
-  if (sensor.placed && sensor.unverified)
+  if (sensor.pose.state == PoseState::kUnverified)
     return RoomProblem{Severity::kNotice, sensor.name,
                        name + " is shown at its stored pose, which has not been confirmed yet."};
-  if (sensor.placed) return std::nullopt;
-  const std::string why =
-      sensor.placement_note.empty() ? "." : ": " + with_full_stop(sensor.placement_note);
+  if (sensor.pose.is_placed()) return std::nullopt;
+  const std::string why = sensor.pose.note.empty() ? "." : ": " + with_full_stop(sensor.pose.note);
   return RoomProblem{Severity::kNotice, sensor.name,
                      name + " is not placed yet" + why + " It is shown at a provisional place."};
 }

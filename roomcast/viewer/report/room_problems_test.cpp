@@ -13,7 +13,9 @@ const HostTime kNow(1h);
 client::RoomSensor good_sensor(const std::string& name) {
   client::RoomSensor sensor;
   sensor.name = name;
-  sensor.online = sensor.placed = true;
+  sensor.online = true;
+  sensor.pose.source = PoseSource::kGiven;
+  sensor.pose.state = PoseState::kValid;
   sensor.fps = 30;
   auto picture = std::make_shared<client::SensorPicture>();
   picture->received = kNow - 20ms;
@@ -61,8 +63,8 @@ TEST(RoomProblems, a_sensor_that_left_is_named) {
 
 TEST(RoomProblems, a_silent_sensor_comes_before_one_without_a_place) {
   client::RoomSnapshot room = good_room();
-  room.sensors[0].placed = false;
-  room.sensors[0].placement_note = "it shares no surface with the others";
+  room.sensors[0].pose = {};
+  room.sensors[0].pose.note = "it shares no surface with the others";
   room.sensors[1].picture = picture_from(5s);
   const auto problems = room_problems(room, kNow);
   ASSERT_EQ(problems.size(), 2U);
@@ -74,7 +76,8 @@ TEST(RoomProblems, a_silent_sensor_comes_before_one_without_a_place) {
 
 TEST(RoomProblems, a_sensor_with_an_unverified_pose_is_reported) {
   client::RoomSnapshot room = good_room();
-  room.sensors[0].unverified = true;
+  room.sensors[0].pose.source = PoseSource::kStored;
+  room.sensors[0].pose.state = PoseState::kUnverified;
   const auto problems = room_problems(room, kNow);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].sentence,
@@ -99,7 +102,7 @@ TEST(RoomProblems, an_empty_room_and_one_whose_sensors_all_left_differ) {
 
 TEST(RoomProblems, a_moved_sensor_and_one_that_has_sent_nothing_are_reported) {
   client::RoomSnapshot room = good_room();
-  room.sensors[0].moved = true;
+  room.sensors[0].pose.state = PoseState::kMoved;
   room.sensors[1].picture.reset();
   const auto problems = room_problems(room, kNow);
   ASSERT_EQ(problems.size(), 2U);

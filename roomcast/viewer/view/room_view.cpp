@@ -33,11 +33,11 @@ Status RoomView::show_sensor(const client::RoomSensor& sensor) {
     return {};
   }
   if (auto status =
-          renderer_.set_sensor(sensor.id, sensor.calibration.depth, sensor.world_from_depth);
+          renderer_.set_sensor(sensor.id, sensor.calibration.depth, sensor.pose.world_from_depth);
       !status) {
     return status;
   }
-  renderer_.set_unplaced(sensor.id, !sensor.placed);
+  renderer_.set_unplaced(sensor.id, !sensor.pose.is_placed());
   Uploaded& uploaded = uploaded_[sensor.id];
   if (uploaded.picture == sensor.picture && uploaded.lens == sensor.calibration.depth) return {};
   const codec::DecodedFrame& frame = sensor.picture->frame;

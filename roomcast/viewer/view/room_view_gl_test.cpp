@@ -22,7 +22,7 @@ client::RoomSnapshot room_with(std::shared_ptr<const client::SensorPicture> pict
   sensor.online = true;
   sensor.calibration.depth = {
       .width = kSide, .height = kSide, .fx = 60, .fy = 60, .cx = 31.5, .cy = 31.5};
-  sensor.world_from_depth = world_from_optical_looking_at({0, 1, 0}, {0, 1, -1});
+  sensor.pose.world_from_depth = world_from_optical_looking_at({0, 1, 0}, {0, 1, -1});
   sensor.picture = std::move(picture);
   client::RoomSnapshot room;
   room.sensors.push_back(sensor);

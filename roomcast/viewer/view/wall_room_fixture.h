@@ -23,7 +23,7 @@ inline client::RoomSnapshot room_with_wall(const RigidTransform& world_from_dept
   sensor.online = true;
   sensor.calibration.depth = {
       .width = side, .height = side, .fx = 60, .fy = 60, .cx = middle, .cy = middle};
-  sensor.world_from_depth = world_from_depth;
+  sensor.pose.world_from_depth = world_from_depth;
   sensor.picture = picture;
   return room;
 }
