@@ -13,7 +13,6 @@ import { sensorsOf, slow, until, untilAllShown } from './waiting.mjs';
 
 const off_m = 0.08; // error of the pose that the user sets
 const exact_m = 0.04;
-const aligned = 2; // PLACEMENT_ALIGNED of control.proto
 
 describe('an unplaced sensor', () => {
   const folder = mkdtempSync(join(tmpdir(), 'roomcast-nudge-'));
@@ -30,7 +29,7 @@ describe('an unplaced sensor', () => {
     page = await openPage(browser.context, `${hub.page}?panel=0&mode=points&${standingAtTruth()}#token=${token}`);
     sensors = [startSensor(hub, 1, { fps: 2, rig })];
     // A lone sensor defines a world frame of its own, which is dropped when a sensor with a given pose joins.
-    await until('placed alone', lone, (sensor) => sensor?.placement === aligned);
+    await until('placed alone', lone, (sensor) => sensor?.source === 'estimated');
     sensors.push(startSensor(hub, 0, { fps: 2, rig }));
     await untilAllShown(page, 2);
   }, slow);

@@ -4,13 +4,14 @@ import './theme.css';
 import { accessTo, readAccess, rememberAccess, type Access } from './access';
 import { Console } from './console/console';
 import { HubApi } from './console/hub_api';
-import type { Roster, Welcome } from './gen/control_pb';
+import type { Welcome } from './gen/control_pb';
 import { Look } from './look';
 import { bodyOf, PosePublisher } from './pose_publisher';
 import { parseOptions, socketUrl, type PageOptions } from './page_options';
 import type { NudgeEvents } from './panel/nudge_controls';
 import { Panel } from './panel/panel';
 import { Progress } from './panel/progress';
+import type { RoomRoster } from './room_roster';
 import { RoomState } from './room_state';
 import { SensorNudges } from './sensor_nudges';
 import { pageTime_ms, type FromWorker, type ViewFrame } from './stream/protocol';
@@ -232,7 +233,7 @@ class Page {
     location.reload();
   }
 
-  private followRoster(roster: Roster): void {
+  private followRoster(roster: RoomRoster): void {
     const before = this.state.roster;
     if (!before) this.hubKnewSensors = roster.sensors.length > 0;
     this.nudges.forgetAnswered(before, roster);
@@ -279,7 +280,7 @@ class Page {
     if (this.options.view) return this.options.view;
     const pose = this.state.welcome?.startPose ?? [];
     if (this.hubKnewSensors && pose.length === 16) return viewFromMatrix(pose, startDistance_m);
-    return startView(placedOrAll(this.state.roster?.sensors ?? []));
+    return startView(placedOrAll((this.state.roster?.sensors ?? []).map(({ pose }) => pose)));
   }
 
   private goToStart(): void {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's state of the room, gathered from the worker's messages and from drawing. Times are page time
 // (stream/protocol.ts) in milliseconds unless they are marked as room time.
-import type { Roster, SensorEntry, ViewerPose, Welcome } from './gen/control_pb';
+import type { ViewerPose, Welcome } from './gen/control_pb';
 import { RateMeter } from './rate_meter';
+import type { RoomRoster, RoomSensor } from './room_roster';
 import {
   pageTime_ms,
   type Body,
@@ -29,7 +30,7 @@ export class RoomState {
     openedAt_ms: undefined,
   };
   welcome: Welcome | undefined;
-  roster: Roster | undefined;
+  roster: RoomRoster | undefined;
   status: Status | undefined;
   body: Body | undefined; // current pose of the headset's wearer
   readonly poses = new Map<number, ViewerPose>(); // of the other viewers, as received
@@ -74,11 +75,11 @@ export class RoomState {
     return clock && page_ms + clock.roomFromPage_ms;
   }
 
-  get onlineSensors(): SensorEntry[] {
+  get onlineSensors(): RoomSensor[] {
     return this.roster?.sensors.filter((sensor) => sensor.online) ?? [];
   }
 
-  follow(roster: Roster): void {
+  follow(roster: RoomRoster): void {
     this.roster = roster;
     const present = new Set(roster.viewers.map(({ id }) => id));
     for (const id of this.poses.keys()) if (!present.has(id)) this.poses.delete(id);

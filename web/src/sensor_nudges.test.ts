@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 import { create } from '@bufbuild/protobuf';
 import { expect, test } from 'vitest';
-import { RosterSchema, type Roster } from './gen/control_pb';
+import { RosterSchema } from './gen/control_pb';
+import { roomRoster } from './room_roster';
 import { SensorNudges } from './sensor_nudges';
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-const rosterOf = (...sensors: object[]): Roster => create(RosterSchema, { sensors });
+const rosterOf = (...sensors: object[]) => roomRoster(create(RosterSchema, { sensors }));
 const s0 = { id: 0, worldFromDepth: identity };
 const right = { x: 1, y: 0, z: 0, turn: 0, tilt: 0 };
 
@@ -15,10 +16,10 @@ test('steps add up, and only the moved sensor differs from the roster', () => {
   nudges.push(roster.sensors[0]!, right);
   nudges.push(roster.sensors[0]!, right);
   const shown = nudges.applyTo(roster).sensors;
-  expect(shown[0]!.worldFromDepth[3]).toBe(2);
-  expect(shown[1]!.worldFromDepth).toEqual(identity);
+  expect(shown[0]!.pose.worldFromDepth[3]).toBe(2);
+  expect(shown[1]!.pose.worldFromDepth).toEqual(identity);
   nudges.forget(0);
-  expect(nudges.applyTo(roster).sensors[0]!.worldFromDepth).toEqual(identity);
+  expect(nudges.applyTo(roster).sensors[0]!.pose.worldFromDepth).toEqual(identity);
 });
 
 test('a nudge lasts until the aligner has answered', () => {

@@ -63,15 +63,15 @@ export class TestApi {
 
   sensors() {
     const { state, stage } = this.parts;
-    return (state.roster?.sensors ?? []).map(({ id, name, online, worldFromDepth, placement }) => {
+    return (state.roster?.sensors ?? []).map(({ id, name, online, pose }) => {
       const traffic = state.status?.sensors.find((counts) => counts.sensor === id);
       const shown = state.shownSeqs.get(id);
       return {
         id,
         name,
         online,
-        placement,
-        worldFromDepth: [...worldFromDepth],
+        source: pose.source,
+        worldFromDepth: [...pose.worldFromDepth],
         /** The drawn position, which differs while the sensor is moved by hand. */
         drawnAt: stage.room.placed.get(id)?.worldFromDepth.elements.slice(12, 15) ?? null,
         visible: stage.isVisible(id),

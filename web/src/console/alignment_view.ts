@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // The console's alignment tab: a map of the room, the agreement of each pair of sensors, the origin of each sensor's
 // pose, advice for sensors without a pose, and placing a sensor by hand.
-import { Placement, type SensorEntry } from '../gen/control_pb';
 import { element, setText } from '../panel/element';
 import { NudgeControls, type NudgeEvents } from '../panel/nudge_controls';
 import { isDoubtful } from '../panel/placement_tag';
+import type { RoomSensor } from '../room_roster';
+import type { SensorPose } from '../sensor_pose';
 import { consoleTexts as texts } from '../texts';
 import { svg } from '../panel/svg';
 import type { Pair } from './pair_watch';
 import { drawMap, gapGrade } from './room_map';
 
-function placeOf(entry: SensorEntry): string {
-  if (entry.moved) return texts.moved;
-  if (entry.placement === Placement.UNPLACED) return texts.unplaced;
-  if (entry.placement === Placement.GIVEN) return texts.given;
-  if (entry.unverified) return texts.unverified;
-  return texts.placed(entry.expectedErrorMm);
+function placeOf({ state, source, expectedErrorMm }: SensorPose): string {
+  if (state === 'moved') return texts.moved;
+  if (state === 'none') return texts.unplaced;
+  if (source === 'given') return texts.given;
+  if (state === 'unverified') return texts.unverified;
+  return texts.placed(expectedErrorMm);
 }
 
 export class AlignmentView {
@@ -47,10 +48,10 @@ export class AlignmentView {
     this.shown = '';
   }
 
-  show(entries: readonly SensorEntry[], pairs: readonly Pair[]): void {
+  show(entries: readonly RoomSensor[], pairs: readonly Pair[]): void {
     drawMap(this.map, entries, pairs);
     this.showPairs(entries, pairs);
-    const facts = entries.map((entry) => [entry.id, entry.name, placeOf(entry), entry.placementNote, entry.online]);
+    const facts = entries.map((entry) => [entry.id, entry.name, placeOf(entry.pose), entry.pose.note, entry.online]);
     const key = JSON.stringify([facts, this.nudge.moving]);
     if (key === this.shown) return;
     this.shown = key;
@@ -58,7 +59,7 @@ export class AlignmentView {
     this.places.replaceChildren(...(items.length > 0 ? items : [element('li', { class: 'empty' }, texts.noSensors)]));
   }
 
-  private showPairs(entries: readonly SensorEntry[], pairs: readonly Pair[]): void {
+  private showPairs(entries: readonly RoomSensor[], pairs: readonly Pair[]): void {
     const name = (id: number) => entries.find((entry) => entry.id === id)?.name ?? '';
     const items = pairs.map(({ a, b, gap_mm, points }) => {
       const pair = texts.pair(...([name(a), name(b)].sort() as [string, string]));
@@ -68,13 +69,13 @@ export class AlignmentView {
     this.pairs.replaceChildren(...(items.length > 0 ? items : [element('li', { class: 'empty' }, texts.noPairs)]));
   }
 
-  private place(entry: SensorEntry, again: () => void): HTMLElement {
+  private place(entry: RoomSensor, again: () => void): HTMLElement {
     const moving = this.nudge.moving === entry.id;
     const line = element(
       'div',
       { class: 'line' },
       element('strong', {}, entry.name),
-      element('span', {}, placeOf(entry)),
+      element('span', {}, placeOf(entry.pose)),
     );
     if (this.mayNudge) {
       const button = element('button', { type: 'button', class: 'plain', 'aria-pressed': String(moving) });
@@ -85,9 +86,9 @@ export class AlignmentView {
       });
       line.append(button);
     }
-    const said = isDoubtful(entry) ? [entry.placementNote, texts.advice] : [entry.placementNote];
+    const said = isDoubtful(entry.pose) ? [entry.pose.note, texts.advice] : [entry.pose.note];
     const notes = said.filter((text) => text !== '').map((text) => element('p', { class: 'note' }, text));
-    const item = element('li', { class: isDoubtful(entry) ? 'doubtful' : '' }, line, ...notes);
+    const item = element('li', { class: isDoubtful(entry.pose) ? 'doubtful' : '' }, line, ...notes);
     if (moving) item.append(this.nudge.root);
     return item;
   }

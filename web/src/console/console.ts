@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The console next to the room, for operators. Data from the socket is shown to every user who may place sensors. Data
 // that needs an admin's token comes from the hub's HTTP interface and is offered only when that grants access.
-import type { SensorEntry } from '../gen/control_pb';
 import { element } from '../panel/element';
 import type { NudgeEvents } from '../panel/nudge_controls';
+import type { RoomSensor } from '../room_roster';
 import type { RoomState } from '../room_state';
 import type { ViewFrame } from '../stream/protocol';
 import { consoleTexts as texts } from '../texts';
@@ -164,6 +164,6 @@ export class Console {
   }
 }
 
-function byName(entries: readonly SensorEntry[]): SensorEntry[] {
+function byName(entries: readonly RoomSensor[]): RoomSensor[] {
   return [...entries].sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
 }

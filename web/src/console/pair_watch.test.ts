@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { expect, test } from 'vitest';
-import type { SensorEntry } from '../gen/control_pb';
+import type { RoomSensor } from '../room_roster';
 import type { ViewFrame } from '../stream/protocol';
 import { PairWatch } from './pair_watch';
 
@@ -10,8 +10,8 @@ const entryAt = (id: number, x: number, online = true) =>
     id,
     online,
     calibration: { depth },
-    worldFromDepth: [1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
-  }) as SensorEntry;
+    pose: { worldFromDepth: [1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] },
+  }) as RoomSensor;
 const frameOf = (sensor: number, wall_mm: number) =>
   ({ sensor, depth_mm: new Uint16Array(depth.width * depth.height).fill(wall_mm) }) as unknown as ViewFrame;
 

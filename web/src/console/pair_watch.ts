@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares all pairs of sensors from time to time, one pair per step so that the page stays responsive.
-import type { SensorEntry } from '../gen/control_pb';
+import type { RoomSensor } from '../room_roster';
 import type { ViewFrame } from '../stream/protocol';
 import { rayTable } from '../view/ray_table';
 import { pairGap, type DepthPicture, type PairGap } from './pair_gap';
@@ -37,7 +37,7 @@ export class PairWatch {
   }
 
   /** Compares the next pair. */
-  step(entries: readonly SensorEntry[]): void {
+  step(entries: readonly RoomSensor[]): void {
     this.follow(entries.filter((entry) => entry.online));
     const ids = [...this.kept.keys()].sort((a, b) => a - b);
     const all = ids.flatMap((a, i) => ids.slice(i + 1).map((b) => [a, b] as const));
@@ -48,10 +48,11 @@ export class PairWatch {
     else this.found.delete(`${a} ${b}`);
   }
 
-  private follow(online: readonly SensorEntry[]): void {
+  private follow(online: readonly RoomSensor[]): void {
     const listed = new Set(online.map(({ id }) => id));
     for (const id of this.kept.keys()) if (!listed.has(id)) this.forget(id);
-    for (const { id, calibration, worldFromDepth } of online) {
+    for (const { id, calibration, pose } of online) {
+      const { worldFromDepth } = pose;
       const lens = calibration!.depth!;
       const known = this.kept.get(id);
       if (known && known.picture.lens.width === lens.width && known.picture.lens.fx === lens.fx) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A map of the room from above: each sensor with its field of view as a wedge, and a line between sensors that see the
 // same surfaces.
-import type { SensorEntry } from '../gen/control_pb';
 import { isDoubtful } from '../panel/placement_tag';
+import type { RoomSensor } from '../room_roster';
 import { consoleTexts as texts } from '../texts';
 import { sensorColor } from '../view/sensor_color';
 import { svg } from '../panel/svg';
@@ -19,14 +19,14 @@ export function gapGrade(gap_mm: number): 'good' | 'fair' | 'poor' {
 }
 
 interface Spot {
-  entry: SensorEntry;
+  entry: RoomSensor;
   x: number; // metres, to the right in the map
   y: number; // down in the map: the world's z
   heading: number; // radians, 0 to the right, clockwise as in SVG
 }
 
-function spotOf(entry: SensorEntry): Spot {
-  const m = entry.worldFromDepth;
+function spotOf(entry: RoomSensor): Spot {
+  const m = entry.pose.worldFromDepth;
   return { entry, x: m[3]!, y: m[11]!, heading: Math.atan2(m[10]!, m[2]!) };
 }
 
@@ -54,7 +54,7 @@ function label(text: string, x: number, y: number, className: string): SVGElemen
 
 function dot({ entry, x, y, heading }: Spot): SVGElement[] {
   const ring = { cx: x, cy: y, r: 0.13, fill: sensorColor(entry.id), 'stroke-width': 0.05 };
-  const circle = svg('circle', { ...ring, class: isDoubtful(entry) ? 'doubtful' : 'placed', opacity: entry.online ? 1 : 0.4 });
+  const circle = svg('circle', { ...ring, class: isDoubtful(entry.pose) ? 'doubtful' : 'placed', opacity: entry.online ? 1 : 0.4 });
   const behind = [x - 0.34 * Math.cos(heading), y - 0.34 * Math.sin(heading) + 0.08] as const;
   return [circle, label(entry.name, ...behind, 'name')];
 }
@@ -69,7 +69,7 @@ function link(a: Spot, b: Spot, pair: Pair): SVGElement[] {
 }
 
 /** Replaces the content of `into`. */
-export function drawMap(into: SVGElement, entries: readonly SensorEntry[], pairs: readonly Pair[]): void {
+export function drawMap(into: SVGElement, entries: readonly RoomSensor[], pairs: readonly Pair[]): void {
   const spots = entries.map(spotOf);
   const xs = spots.map(({ x }) => x);
   const ys = spots.map(({ y }) => y);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The console's sensors tab: for each sensor its picture, its traffic over time, and the accuracy of its clock.
-import type { SensorEntry } from '../gen/control_pb';
 import { element, setText } from '../panel/element';
 import { placementTag } from '../panel/placement_tag';
+import type { RoomSensor } from '../room_roster';
 import type { RoomState } from '../room_state';
 import type { ViewFrame } from '../stream/protocol';
 import { consoleTexts as texts } from '../texts';
@@ -26,7 +26,7 @@ class SensorCard {
   private clockError_ms: number | undefined;
   private leftOutBefore: number | undefined;
 
-  constructor(entry: SensorEntry, forget: (sensor: string) => void) {
+  constructor(entry: RoomSensor, forget: (sensor: string) => void) {
     const label = `${texts.forget}: ${entry.name}`;
     this.wayOut = element('button', { type: 'button', class: 'plain', 'aria-label': label }, texts.forget);
     this.wayOut.addEventListener('click', () => forget(entry.name));
@@ -49,7 +49,7 @@ class SensorCard {
   }
 
   /** Called once a second. `hub` is the data that the hub reports to admins. */
-  sample(entry: SensorEntry, state: RoomState, hub: HubSensor | undefined): void {
+  sample(entry: RoomSensor, state: RoomState, hub: HubSensor | undefined): void {
     const traffic = state.status?.sensors.find(({ sensor }) => sensor === entry.id);
     const live = entry.online && traffic !== undefined;
     const room_ms = state.roomTime_ms();
@@ -68,7 +68,7 @@ class SensorCard {
     setText(this.clock, entry.online ? [clock, hub?.address].filter(Boolean).join(' · ') : texts.gone);
     this.root.classList.toggle('gone', !entry.online);
     this.wayOut.hidden = entry.online || hub === undefined;
-    this.tag.replaceChildren(...[placementTag(entry)].filter((tag) => tag !== undefined));
+    this.tag.replaceChildren(...[placementTag(entry.pose)].filter((tag) => tag !== undefined));
   }
 }
 
@@ -83,7 +83,7 @@ export class SensorCards {
     for (const frame of frames) this.cards.get(frame.sensor)?.card.offer(frame, now_ms);
   }
 
-  sample(entries: readonly SensorEntry[], state: RoomState, hubSensors: readonly HubSensor[]): void {
+  sample(entries: readonly RoomSensor[], state: RoomState, hubSensors: readonly HubSensor[]): void {
     this.follow(entries);
     for (const entry of entries) {
       const hub = hubSensors.find(({ id }) => id === entry.id);
@@ -91,7 +91,7 @@ export class SensorCards {
     }
   }
 
-  private follow(entries: readonly SensorEntry[]): void {
+  private follow(entries: readonly RoomSensor[]): void {
     const known = [...this.cards].map(([id, { name }]) => `${id} ${name}`).join();
     if (known === entries.map(({ id, name }) => `${id} ${name}`).join() && this.root.childElementCount > 0) return;
     const before = new Map(this.cards);

@@ -2,6 +2,7 @@
 import { create } from '@bufbuild/protobuf';
 import { describe, expect, test } from 'vitest';
 import { Placement, RosterSchema } from '../gen/control_pb';
+import { roomRoster } from '../room_roster';
 import type { SensorTraffic } from '../stream/protocol';
 import { problems, type Known } from './problems';
 
@@ -23,7 +24,7 @@ function known(change: Partial<Known>, sensors: object[] = [s0], counts: SensorT
   return {
     broken: '',
     connection: joined,
-    roster: create(RosterSchema, { sensors }),
+    roster: roomRoster(create(RosterSchema, { sensors })),
     status: { clock: undefined, received_bytes: 0, sensors: counts, decoded: [], colorProblem: '' },
     hubAddress: 'ws://lab:7600',
     ...change,

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The current problems in plain words, most serious first. Pure: maps the page's state and the time to sentences.
-import type { Roster, SensorEntry } from '../gen/control_pb';
-import { Placement } from '../gen/control_pb';
+import type { RoomRoster, RoomSensor } from '../room_roster';
 import { problemTexts as texts } from '../texts';
 import type { ConnectionState, SensorTraffic, Status } from '../stream/protocol';
 
 export interface Known {
   broken: string;
   connection: ConnectionState;
-  roster: Roster | undefined;
+  roster: RoomRoster | undefined;
   status: Status | undefined;
   hubAddress: string;
 }
@@ -47,7 +46,7 @@ function whatNext({ retryAt_ms, reload }: ConnectionState, date_ms: number): str
 }
 
 function sensorProblems(
-  roster: Roster,
+  roster: RoomRoster,
   traffic: readonly SensorTraffic[],
   room_ms: number | undefined,
   hubAddress: string,
@@ -65,13 +64,14 @@ function sensorProblems(
     if (silence_ms > Math.max(silent_ms, (1000 * silentFrames) / sensor.fps))
       found.push(error(texts.silent(sensor.name, Math.round(silence_ms / 1000))));
     if (counts?.problem) found.push(error(texts.sensor(sensor.name, counts.problem)));
-    if (sensor.moved) {
-      found.push(notice(texts.moved(sensor.name, inAddition(sensor.placementNote))));
-    } else if (sensor.placement === Placement.UNPLACED && !(sought.length > 1 && isSought(sensor))) {
-      const why = sensor.placementNote ? `${sensor.placementNote.replace(/\.$/, '')}. It` : 'it';
+    const { state, note } = sensor.pose;
+    if (state === 'moved') {
+      found.push(notice(texts.moved(sensor.name, inAddition(note))));
+    } else if (state === 'none' && !(sought.length > 1 && isSought(sensor))) {
+      const why = note ? `${note.replace(/\.$/, '')}. It` : 'it';
       found.push(notice(texts.unplaced(sensor.name, why)));
-    } else if (sensor.unverified) {
-      found.push(notice(texts.unverified(sensor.name, inAddition(sensor.placementNote))));
+    } else if (state === 'unverified') {
+      found.push(notice(texts.unverified(sensor.name, inAddition(note))));
     }
     return found;
   });
@@ -79,8 +79,8 @@ function sensorProblems(
 }
 
 /** True while no reason for the missing pose is known, as for all sensors in a room's first seconds. */
-function isSought(sensor: SensorEntry): boolean {
-  return sensor.online && !sensor.moved && sensor.placement === Placement.UNPLACED && !sensor.placementNote;
+function isSought({ online, pose }: RoomSensor): boolean {
+  return online && pose.state === 'none' && !pose.note;
 }
 
 function inAddition(note: string): string {

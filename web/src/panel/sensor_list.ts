@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sensors in the panel: one row each, with a switch, its traffic, and the age of its newest frame.
-import type { SensorEntry } from '../gen/control_pb';
+import type { RoomSensor } from '../room_roster';
 import type { RoomState } from '../room_state';
 import { panelTexts } from '../texts';
 import { sensorColor } from '../view/sensor_color';
@@ -9,7 +9,7 @@ import { megabytes, milliseconds, perSecond } from './format';
 import { placementTag } from './placement_tag';
 
 interface Row {
-  entry: SensorEntry;
+  entry: RoomSensor;
   figures: HTMLElement;
 }
 
@@ -54,7 +54,7 @@ export class SensorList {
     });
     const swatch = element('span', { class: 'swatch', 'aria-hidden': 'true' });
     swatch.style.background = sensorColor(entry.id);
-    const name = element('span', { class: 'name' }, entry.name, placementTag(entry));
+    const name = element('span', { class: 'name' }, entry.name, placementTag(entry.pose));
     return element('li', { class: entry.online ? '' : 'gone' }, element('label', {}, box, swatch, name), figures);
   }
 }

@@ -2,7 +2,8 @@
 // Messages between the page and its worker. The worker owns socket, clock and decoders; the page draws. Pixel arrays
 // are transferred, not copied, and return to the worker after drawing.
 import type { Access } from '../access';
-import type { Pose, Roster, ViewerPose, Welcome } from '../gen/control_pb';
+import type { Pose, ViewerPose, Welcome } from '../gen/control_pb';
+import type { RoomRoster } from '../room_roster';
 
 export interface ViewFrame {
   sensor: number;
@@ -59,7 +60,7 @@ export interface Status {
 export type FromWorker =
   | { kind: 'connection'; state: ConnectionState }
   | { kind: 'welcome'; welcome: Welcome }
-  | { kind: 'roster'; roster: Roster }
+  | { kind: 'roster'; roster: RoomRoster }
   | { kind: 'poses'; poses: ViewerPose[] }
   | { kind: 'frames'; setId: bigint; frames: ViewFrame[]; decodedAt_ms: number }
   | { kind: 'status'; status: Status }

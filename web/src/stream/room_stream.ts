@@ -3,6 +3,7 @@
 // page.
 import type { CodecModule } from '../codec/codec_module';
 import type { Roster } from '../gen/control_pb';
+import { roomRoster } from '../room_roster';
 import type { FrameHeader } from '../wire/frame_header';
 import { problemTexts } from '../texts';
 import { BufferPool } from './buffer_pool';
@@ -99,7 +100,7 @@ export class RoomStream {
       if (stream) this.remove(id, stream);
       this.add(id, width, height);
     }
-    this.post({ kind: 'roster', roster });
+    this.post({ kind: 'roster', roster: roomRoster(roster) });
   }
 
   private add(id: number, width: number, height: number): void {

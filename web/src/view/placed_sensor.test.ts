@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 import { create } from '@bufbuild/protobuf';
 import { expect, test } from 'vitest';
-import { Placement, SensorEntrySchema } from '../gen/control_pb';
+import { Placement, RosterSchema } from '../gen/control_pb';
+import { roomRoster } from '../room_roster';
 import { PlacedSensor } from './placed_sensor';
 
 function sensor(placement: Placement): PlacedSensor {
   const depth = { width: 4, height: 3, fx: 4, fy: 4, cx: 1.5, cy: 1 };
-  const entry = create(SensorEntrySchema, { calibration: { depth }, placement });
-  const placed = new PlacedSensor(entry, true);
+  const roster = roomRoster(create(RosterSchema, { sensors: [{ calibration: { depth }, placement }] }));
+  const placed = new PlacedSensor(roster.sensors[0]!, true);
   placed.pictures.hasPicture = true;
   return placed;
 }

@@ -2,7 +2,8 @@
 // A sensor in the drawn room: its pictures, its unblended surface, its background model with the blended layers, and
 // the mark at its position.
 import * as THREE from 'three';
-import { Placement, type SensorEntry } from '../gen/control_pb';
+import type { RoomSensor } from '../room_roster';
+import { isPlaced } from '../sensor_pose';
 import { BlendLayer } from './blend/blend_layer';
 import { BackgroundModel } from './blend/background_model';
 import { sensorMark } from './room_marks';
@@ -22,7 +23,7 @@ export class PlacedSensor {
   isStale = true; // the layers do not show the memory's newest data yet
 
   constructor(
-    public entry: SensorEntry,
+    public entry: RoomSensor,
     mixes: boolean,
   ) {
     this.pictures = new SensorPictures(entry.calibration!.depth!);
@@ -36,11 +37,11 @@ export class PlacedSensor {
   }
 
   /** True when its pose has changed. */
-  follow(entry: SensorEntry, connected: boolean): boolean {
+  follow(entry: RoomSensor, connected: boolean): boolean {
     const before = this.worldFromDepth.clone();
-    if (entry.moved && !this.entry.moved) this.memory?.forget();
+    if (entry.pose.state === 'moved' && this.entry.pose.state !== 'moved') this.memory?.forget();
     this.entry = entry;
-    this.worldFromDepth.set(...(entry.worldFromDepth as Parameters<THREE.Matrix4['set']>));
+    this.worldFromDepth.set(...(entry.pose.worldFromDepth as Parameters<THREE.Matrix4['set']>));
     const live = entry.online && connected ? 1 : 0;
     this.surface.place(this.worldFromDepth, live);
     this.layers.forEach((layer) => layer.place(this.worldFromDepth, live));
@@ -51,7 +52,7 @@ export class PlacedSensor {
 
   /** Its pose is unknown: the sensor is drawn next to the room and does not affect other sensors' surfaces. */
   get isApart(): boolean {
-    return this.entry.placement === Placement.UNPLACED;
+    return !isPlaced(this.entry.pose);
   }
 
   updateVisible(mixing: boolean): void {

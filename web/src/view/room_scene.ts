@@ -2,7 +2,7 @@
 // The drawn scene: the sensors' surfaces, blended or separate, the floor's grid, the other viewers. Follows the roster
 // and receives pictures; `render` draws the view of a camera.
 import * as THREE from 'three';
-import type { Roster, SensorEntry } from '../gen/control_pb';
+import type { RoomRoster, RoomSensor } from '../room_roster';
 import type { ViewFrame } from '../stream/protocol';
 import { Avatars } from './avatars';
 import { bestSensors } from './best_sensors';
@@ -94,7 +94,7 @@ export class RoomScene {
     this.applyMode(placed);
   }
 
-  follow(roster: Roster, self: number): void {
+  follow(roster: RoomRoster, self: number): void {
     const listed = new Map(roster.sensors.map((entry) => [entry.id, entry]));
     for (const [id, placed] of this.placed) {
       const entry = listed.get(id);
@@ -173,7 +173,7 @@ export class RoomScene {
     this.keeper!.carve(placed.memory!, views);
   }
 
-  private add(entry: SensorEntry): void {
+  private add(entry: RoomSensor): void {
     const placed = new PlacedSensor(entry, this.mixes);
     this.scene.add(placed.surface.root, placed.mark);
     placed.layers.forEach((layer) => this.blend!.add(layer));
@@ -196,7 +196,7 @@ export class RoomScene {
 }
 
 /** After a restart a hub may assign ids to sensors in another order, and a sensor may come back with another camera. */
-function sameSensor(a: SensorEntry, b: SensorEntry): boolean {
+function sameSensor(a: RoomSensor, b: RoomSensor): boolean {
   const [p, q] = [a.calibration!.depth!, b.calibration!.depth!];
   const fields = ['width', 'height', 'fx', 'fy', 'cx', 'cy', 'k1', 'k2', 'k3', 'p1', 'p2'] as const;
   return a.name === b.name && fields.every((field) => p[field] === q[field]);

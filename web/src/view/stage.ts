@@ -2,7 +2,7 @@
 // The canvas: draws the room when something has changed, at most one picture ahead of the graphics processor, and as
 // finely as the graphics processor permits. An active headset decides when to draw.
 import * as THREE from 'three';
-import type { Roster } from '../gen/control_pb';
+import type { RoomRoster } from '../room_roster';
 import type { ViewFrame } from '../stream/protocol';
 import type { DrawMode } from './draw_mode';
 import { whenDrawn } from './gpu_fence';
@@ -91,7 +91,7 @@ export class Stage {
     return this.room.placed.get(sensor)?.wanted ?? true;
   }
 
-  follow(roster: Roster, self: number): void {
+  follow(roster: RoomRoster, self: number): void {
     this.room.follow(roster, self);
     this.touch();
   }

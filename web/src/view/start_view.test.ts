@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { Placement } from '../gen/control_pb';
+import type { SensorPose } from '../sensor_pose';
 import { placedOrAll, startView } from './start_view';
 import { direction } from './view_state';
 
@@ -33,8 +33,8 @@ describe('the start view', () => {
   });
 
   test('ignores unplaced sensors unless there are no others', () => {
-    const placed = { placement: Placement.ALIGNED };
-    const unplaced = { placement: Placement.UNPLACED };
+    const unplaced: SensorPose = { worldFromDepth: [], source: 'none', state: 'none', expectedErrorMm: 0, note: '' };
+    const placed: SensorPose = { ...unplaced, source: 'estimated', state: 'valid' };
     expect(placedOrAll([unplaced, placed])).toEqual([placed]);
     expect(placedOrAll([unplaced])).toEqual([unplaced]);
   });
