@@ -23,8 +23,9 @@ constexpr int kMaxSightings = 500;  // per sensor, heads and tags together
 
 }  // namespace
 
-AlignmentWorker::AlignmentWorker(std::function<void(AlignmentUpdate)> tell)
-    : tell_(std::move(tell)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+AlignmentWorker::AlignmentWorker(std::function<void(AlignmentUpdate)> on_update)
+    : on_update_(std::move(on_update)),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 template <class Change>
 void AlignmentWorker::change_news(Change change) {
@@ -72,10 +73,10 @@ void AlignmentWorker::run(const std::stop_token& stop) {
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);
   while (auto news = wait_for_news(stop)) {
     take(*news);
-    AlignmentUpdate thought{placing_.solve(news->known), placing_.wants_sightings()};
-    for (auto& placement : thought.placements)
+    AlignmentUpdate update{solver_.solve(news->known), solver_.wants_sightings()};
+    for (auto& placement : update.placements)
       placement.bundle_number = bundle_numbers_[placement.sensor];
-    if (!stop.stop_requested()) tell_(std::move(thought));
+    if (!stop.stop_requested()) on_update_(std::move(update));
   }
 }
 
@@ -95,17 +96,17 @@ std::optional<AlignmentWorker::News> AlignmentWorker::wait_for_news(const std::s
 }
 
 void AlignmentWorker::take(const News& news) {
-  for (const auto& sensor : news.moved) placing_.forget(sensor);
+  for (const auto& sensor : news.moved) solver_.forget(sensor);
   for (const auto& [sensor, bundle] : news.bundles) take_bundle(sensor, bundle);
-  for (const auto& [sensor, sightings] : news.sightings) placing_.see(sensor, sightings);
-  for (const auto& [sensor, guess] : news.nudges) placing_.nudge(sensor, guess);
+  for (const auto& [sensor, sightings] : news.sightings) solver_.see(sensor, sightings);
+  for (const auto& [sensor, guess] : news.nudges) solver_.nudge(sensor, guess);
 }
 
 void AlignmentWorker::take_bundle(const std::string& sensor, const Bundle& bundle) {
   bundle_numbers_[sensor] = bundle.message.number();
   const auto read = bundle_from_message(bundle.message, sensor, bundle.calibration);
-  if (!read) return placing_.refuse(sensor, read.error().message);
-  placing_.add(*read);
+  if (!read) return solver_.refuse(sensor, read.error().message);
+  solver_.add(*read);
 }
 
 }  // namespace roomcast::alignment

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // AlignmentWorker: estimates sensor poses on a thread of its own, at low priority, when new
 // bundles, sightings or nudges have arrived. A newer bundle, nudge or roster replaces an older one
-// that is still waiting. Threading: the methods are thread-safe; `tell` is called on the worker's
-// thread.
+// that is still waiting. Threading: the methods are thread-safe; `on_update` is called on the
+// worker's thread.
 #pragma once
 
 #include <condition_variable>
@@ -28,7 +28,7 @@ struct AlignmentUpdate {
 
 class AlignmentWorker {
  public:
-  explicit AlignmentWorker(std::function<void(AlignmentUpdate)> tell);
+  explicit AlignmentWorker(std::function<void(AlignmentUpdate)> on_update);
   /// Waits for the running solve to end, which may take seconds.
   ~AlignmentWorker() = default;
 
@@ -68,8 +68,8 @@ class AlignmentWorker {
   void take(const News& news);
   void take_bundle(const std::string& sensor, const Bundle& bundle);
 
-  const std::function<void(AlignmentUpdate)> tell_;
-  PlacementSolver placing_;  // this and the following: used by the thread only
+  const std::function<void(AlignmentUpdate)> on_update_;
+  PlacementSolver solver_;  // this and the following: used by the thread only
   std::map<std::string, std::uint32_t> bundle_numbers_;
   std::mutex mutex_;
   std::condition_variable_any changed_;

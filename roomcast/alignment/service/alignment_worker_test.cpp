@@ -6,6 +6,7 @@
 
 #include "roomcast/alignment/feature/room_fixture.h"
 #include "roomcast/alignment/service/bundle_message.h"
+#include "roomcast/alignment/service/known_room_fixture.h"
 #include "roomcast/core/blocking_queue.h"
 
 namespace roomcast::alignment {
@@ -23,46 +24,45 @@ class AlignmentWorkerTest : public testing::Test {
     message.set_number(number);
     alignment_worker.add(sensor, bundle.calibration, std::move(message));
   }
-  static const Placement* find(const AlignmentUpdate& thought, const std::string& sensor) {
-    for (const Placement& placement : thought.placements) {
+  static const Placement* find(const AlignmentUpdate& update, const std::string& sensor) {
+    for (const Placement& placement : update.placements) {
       if (placement.sensor == sensor) return &placement;
     }
     return nullptr;
   }
 
-  BlockingQueue<AlignmentUpdate> thoughts{16};
+  BlockingQueue<AlignmentUpdate> updates{16};
   AlignmentWorker alignment_worker{
-      [this](AlignmentUpdate thought) { (void)thoughts.push(std::move(thought), {}); }};
+      [this](AlignmentUpdate update) { (void)updates.push(std::move(update), {}); }};
 };
 
-TEST_F(AlignmentWorkerTest, bundles_that_come_together_are_one_thought_with_their_numbers) {
+TEST_F(AlignmentWorkerTest, bundles_that_come_together_are_one_update_with_their_numbers) {
   alignment_worker.set_known({}, true);
   add("left", kLeftSensor, 4);
   add("right", kRightSensor, 7);
-  const auto thought = thoughts.pop({});
-  ASSERT_TRUE(thought);
-  ASSERT_TRUE(find(*thought, "left") && find(*thought, "right"));
-  EXPECT_TRUE(find(*thought, "right")->world_from_depth);
-  EXPECT_EQ(find(*thought, "left")->bundle_number, 4U);
-  EXPECT_EQ(find(*thought, "right")->bundle_number, 7U);
-  EXPECT_FALSE(thought->wants_sightings);
+  const auto update = updates.pop({});
+  ASSERT_TRUE(update);
+  ASSERT_TRUE(find(*update, "left") && find(*update, "right"));
+  EXPECT_TRUE(find(*update, "right")->pose.is_placed());
+  EXPECT_EQ(find(*update, "left")->bundle_number, 4U);
+  EXPECT_EQ(find(*update, "right")->bundle_number, 7U);
+  EXPECT_FALSE(update->wants_sightings);
 }
 
 TEST_F(AlignmentWorkerTest, a_guess_is_answered_though_nobody_is_lost) {
   add("left", kLeftSensor, 1);
   add("right", kRightSensor, 1);
-  KnownRoom known;
-  known.given = {{"left", kLeftSensor}};
-  alignment_worker.set_known(known, false);
+  alignment_worker.set_known(given_room({{"left", kLeftSensor}}), false);
   RigidTransform guess = kRightSensor;
   guess.translation_m.x() += 0.1;
   alignment_worker.nudge("right", guess);
-  const auto thought = thoughts.pop({});
-  ASSERT_TRUE(thought && find(*thought, "right"));
-  ASSERT_TRUE(find(*thought, "right")->world_from_depth) << find(*thought, "right")->note;
-  EXPECT_LT((find(*thought, "right")->world_from_depth->translation_m - kRightSensor.translation_m)
-                .norm(),
-            0.03);
+  const auto update = updates.pop({});
+  ASSERT_TRUE(update && find(*update, "right"));
+  ASSERT_TRUE(find(*update, "right")->pose.is_placed()) << find(*update, "right")->pose.note;
+  EXPECT_LT(
+      (find(*update, "right")->pose.world_from_depth.translation_m - kRightSensor.translation_m)
+          .norm(),
+      0.03);
 }
 
 }  // namespace

@@ -40,8 +40,7 @@ void BoardPlacer::see(const std::string& sensor, const wire::pb::Sightings& sigh
 
 Placement BoardPlacer::place_one(const std::string& sensor, const Sightings& seen,
                                  const KnownPoses& placed) const {
-  Placement placement;
-  placement.sensor = sensor;
+  Placement placement = not_placed(sensor, "");
   const std::vector<alignment::TagSighting> of_lost(seen.begin(), seen.end());
   for (const auto& [other, world_from_other] : placed) {
     const auto found = seen_.find(other);
@@ -49,15 +48,13 @@ Placement BoardPlacer::place_one(const std::string& sensor, const Sightings& see
     const std::vector<alignment::TagSighting> of_other(found->second.begin(), found->second.end());
     const auto match = alignment::match_boards(of_other, of_lost);
     if (!match) {
-      placement.note = match.error().message;
+      if (!placement.pose.is_placed()) placement.pose.note = match.error().message;
       continue;
     }
-    if (placement.world_from_depth && match->expected_error_mm >= placement.expected_error_mm)
-      continue;
-    placement.world_from_depth = world_from_other * match->a_from_b;
-    placement.expected_error_mm = match->expected_error_mm;
+    const SensorPose& best = placement.pose;
+    if (best.is_placed() && match->expected_error_mm >= best.expected_error_mm) continue;
+    placement = placed_at(sensor, world_from_other * match->a_from_b, match->expected_error_mm);
   }
-  if (placement.world_from_depth) placement.note.clear();
   return placement;
 }
 
@@ -68,10 +65,10 @@ std::vector<Placement> BoardPlacer::place_relative_to(KnownPoses placed,
     is_more_known = false;
     for (const std::string& sensor : lost) {
       const auto seen = seen_.find(sensor);
-      if (seen == seen_.end() || answers[sensor].world_from_depth) continue;
+      if (seen == seen_.end() || answers[sensor].pose.is_placed()) continue;
       answers[sensor] = place_one(sensor, seen->second, placed);
-      if (!answers[sensor].world_from_depth) continue;
-      placed[sensor] = *answers[sensor].world_from_depth;
+      if (!answers[sensor].pose.is_placed()) continue;
+      placed[sensor] = answers[sensor].pose.world_from_depth;
       is_more_known = true;
     }
   }

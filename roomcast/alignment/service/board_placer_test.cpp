@@ -17,8 +17,9 @@ TEST(BoardPlacer, a_lost_sensor_is_placed_beside_one_that_is_not) {
   placing.see("right", held_tag(kRightOfBoard));
   const auto found = placing.place({{"left", kLeftOfBoard}}, {"right", "third"}, {});
   ASSERT_EQ(found.size(), 1U);
-  ASSERT_TRUE(found[0].world_from_depth) << found[0].note;
-  EXPECT_LT((found[0].world_from_depth->translation_m - kRightOfBoard.translation_m).norm(), 0.01);
+  ASSERT_TRUE(found[0].pose.is_placed()) << found[0].pose.note;
+  EXPECT_LT((found[0].pose.world_from_depth.translation_m - kRightOfBoard.translation_m).norm(),
+            0.01);
 }
 
 TEST(BoardPlacer, where_nobody_is_placed_the_first_beside_whom_another_can_be_makes_the_world) {
@@ -28,18 +29,19 @@ TEST(BoardPlacer, where_nobody_is_placed_the_first_beside_whom_another_can_be_ma
   const Seeds seeds = {{"blind", {}}, {"left", kLeftOfBoard}, {"right", kRightOfBoard}};
   const auto found = placing.place({}, {"blind", "left", "right"}, seeds);
   ASSERT_EQ(found.size(), 2U);
-  ASSERT_TRUE(found[0].world_from_depth && found[1].world_from_depth);
+  ASSERT_TRUE(found[0].pose.is_placed() && found[1].pose.is_placed());
   EXPECT_EQ(found[0].sensor, "right");
-  EXPECT_LT((found[0].world_from_depth->translation_m - kRightOfBoard.translation_m).norm(), 0.01);
+  EXPECT_LT((found[0].pose.world_from_depth.translation_m - kRightOfBoard.translation_m).norm(),
+            0.01);
   EXPECT_EQ(found[1].sensor, "left");
-  EXPECT_EQ(found[1].world_from_depth->translation_m, kLeftOfBoard.translation_m);
+  EXPECT_EQ(found[1].pose.world_from_depth.translation_m, kLeftOfBoard.translation_m);
 }
 
 TEST(BoardPlacer, alone_nobody_makes_a_world) {
   BoardPlacer placing;
   placing.see("left", held_tag(kLeftOfBoard));
   for (const auto& placement : placing.place({}, {"left", "right"}, {{"left", kLeftOfBoard}}))
-    EXPECT_FALSE(placement.world_from_depth);
+    EXPECT_FALSE(placement.pose.is_placed());
 }
 
 TEST(BoardPlacer, whom_a_board_has_placed_others_are_placed_beside) {
@@ -55,8 +57,8 @@ TEST(BoardPlacer, whom_a_board_has_placed_others_are_placed_beside) {
   placing.see("a", later(held_tag(first)));
   const auto found = placing.place({{"right", kRightOfBoard}}, {"a", "left"}, {});
   ASSERT_EQ(found.size(), 2U);
-  ASSERT_TRUE(found[0].world_from_depth) << found[0].note;
-  EXPECT_LT((found[0].world_from_depth->translation_m - first.translation_m).norm(), 0.02);
+  ASSERT_TRUE(found[0].pose.is_placed()) << found[0].pose.note;
+  EXPECT_LT((found[0].pose.world_from_depth.translation_m - first.translation_m).norm(), 0.02);
 }
 
 TEST(BoardPlacer, what_was_seen_before_it_was_moved_does_not_count) {
@@ -76,8 +78,8 @@ TEST(BoardPlacer, a_board_that_only_the_lost_sensor_saw_gives_a_reason) {
   placing.see("right", held_tag(kRightOfBoard));
   const auto found = placing.place({{"left", kLeftOfBoard}}, {"right"}, {});
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_FALSE(found[0].world_from_depth);
-  EXPECT_FALSE(found[0].note.empty());
+  EXPECT_FALSE(found[0].pose.is_placed());
+  EXPECT_FALSE(found[0].pose.note.empty());
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ RoomTime room_time(std::uint64_t ns) {
 
 }  // namespace
 
-void PersonPlacer::stand(const std::string& sensor, const std::optional<alignment::Plane>& floor) {
+void PersonPlacer::set_floor(const std::string& sensor,
+                             const std::optional<alignment::Plane>& floor) {
   forget(sensor);
   if (floor) sensors_[sensor].level_from_depth = alignment::level_from_depth(*floor);
 }
@@ -67,32 +68,30 @@ std::vector<alignment::HeadSighting> PersonPlacer::seen_in_world(const KnownPose
 
 std::vector<Placement> PersonPlacer::place_relative_to(KnownPoses known,
                                                        const std::set<std::string>& lost,
-                                                       const Settle& settle) const {
+                                                       const RefinePlacement& refine) const {
   std::vector<Placement> placements;
   for (const std::string& sensor : lost) {
     const Watcher* watcher = watcher_of(sensor);
     if (watcher == nullptr) continue;
-    Placement& placement = placements.emplace_back();
-    placement.sensor = sensor;
     const auto match = alignment::match_walks(seen_in_world(known),
                                               sightings_of(*watcher, watcher->level_from_depth));
     if (!match) {
-      placement.note = match.error().message;
+      placements.push_back(not_placed(sensor, match.error().message));
       continue;
     }
-    placement.world_from_depth = match->a_from_b * watcher->level_from_depth;
-    placement.expected_error_mm = match->expected_error_mm;
-    settle(placement, known);
-    known[sensor] = *placement.world_from_depth;
+    placements.push_back(refine(
+        placed_at(sensor, match->a_from_b * watcher->level_from_depth, match->expected_error_mm),
+        known));
+    known[sensor] = placements.back().pose.world_from_depth;
   }
   return placements;
 }
 
 std::vector<Placement> PersonPlacer::place(const KnownPoses& placed,
                                            const std::set<std::string>& lost, const Seeds& seeds,
-                                           const Settle& settle) const {
+                                           const RefinePlacement& refine) const {
   return place_or_seed(placed, lost, seeds, [&](const auto& known, const auto& others) {
-    return place_relative_to(known, others, settle);
+    return place_relative_to(known, others, refine);
   });
 }
 

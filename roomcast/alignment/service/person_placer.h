@@ -23,20 +23,20 @@ inline constexpr std::chrono::seconds kWalkRemembered{30};
 
 class PersonPlacer {
  public:
-  /// Discards earlier sightings of the sensor, because its position is new, and sets its floor. A
-  /// sensor without a floor is not used.
-  void stand(const std::string& sensor, const std::optional<alignment::Plane>& floor);
+  /// Sets the floor of a sensor at a new position; earlier sightings are discarded. A sensor
+  /// without a floor is not used.
+  void set_floor(const std::string& sensor, const std::optional<alignment::Plane>& floor);
   void forget(const std::string& sensor) { sensors_.erase(sensor); }
 
   void see(const std::string& sensor, const wire::pb::Sightings& sightings);
 
   /// Poses of those `lost` sensors that can be placed relative to the `placed`. If `placed` is
   /// empty, the first seed from which another sensor can be placed defines the world. Each pose is
-  /// refined by `settle` before the next sensor is placed. For the other lost sensors, the reason
+  /// refined by `refine` before the next sensor is placed. For the other lost sensors, the reason
   /// for the failure once there is one.
   [[nodiscard]] std::vector<Placement> place(const KnownPoses& placed,
                                              const std::set<std::string>& lost, const Seeds& seeds,
-                                             const Settle& settle) const;
+                                             const RefinePlacement& refine) const;
 
  private:
   struct Head {
@@ -50,7 +50,7 @@ class PersonPlacer {
 
   [[nodiscard]] std::vector<Placement> place_relative_to(KnownPoses known,
                                                          const std::set<std::string>& lost,
-                                                         const Settle& settle) const;
+                                                         const RefinePlacement& refine) const;
   [[nodiscard]] std::vector<alignment::HeadSighting> seen_in_world(const KnownPoses& placed) const;
   [[nodiscard]] static std::vector<alignment::HeadSighting> sightings_of(
       const Watcher& watcher, const RigidTransform& pose);

@@ -32,12 +32,14 @@ Seeds seeds() {
           {"right", alignment::level_from_depth(kRight.floor())}};
 }
 
-void as_found(Placement&, const KnownPoses&) {}
+Placement as_found(Placement found, const KnownPoses&) {
+  return found;
+}
 
 PersonPlacer watched_by(std::initializer_list<const Sensor*> sensors) {
   PersonPlacer placing;
   for (const Sensor* sensor : sensors) {
-    placing.stand(sensor->name, sensor->floor());
+    placing.set_floor(sensor->name, sensor->floor());
     placing.see(sensor->name, sensor->of_stroll());
   }
   return placing;
@@ -47,19 +49,20 @@ TEST(PersonPlacer, a_lost_sensor_is_placed_beside_one_that_is_not) {
   const auto placing = watched_by({&kLeft, &kRight});
   const auto found = placing.place({{"left", kLeft.world_from_depth}}, {"right"}, {}, as_found);
   ASSERT_EQ(found.size(), 1U);
-  ASSERT_TRUE(found[0].world_from_depth) << found[0].note;
+  ASSERT_TRUE(found[0].pose.is_placed()) << found[0].pose.note;
   EXPECT_LT(
-      (found[0].world_from_depth->translation_m - kRight.world_from_depth.translation_m).norm(),
+      (found[0].pose.world_from_depth.translation_m - kRight.world_from_depth.translation_m).norm(),
       0.05);
-  EXPECT_GT(found[0].expected_error_mm, 5);
+  EXPECT_GT(found[0].pose.expected_error_mm, 5);
 }
 
 TEST(PersonPlacer, where_nobody_is_placed_the_first_makes_the_world) {
   const auto found = watched_by({&kLeft, &kRight}).place({}, {"left", "right"}, seeds(), as_found);
   ASSERT_EQ(found.size(), 2U);
-  ASSERT_TRUE(found[0].world_from_depth && found[1].world_from_depth);
+  ASSERT_TRUE(found[0].pose.is_placed() && found[1].pose.is_placed());
   ASSERT_EQ(found[1].sensor, "left") << "it made the world";
-  const RigidTransform between = found[1].world_from_depth->inverse() * *found[0].world_from_depth;
+  const RigidTransform between =
+      found[1].pose.world_from_depth.inverse() * found[0].pose.world_from_depth;
   const RigidTransform truth = kLeft.world_from_depth.inverse() * kRight.world_from_depth;
   EXPECT_LT((between.translation_m - truth.translation_m).norm(), 0.05);
 }
@@ -71,37 +74,36 @@ TEST(PersonPlacer, one_who_saw_nobody_makes_no_world) {
       watched_by({&kLeft, &kRight}).place({}, {"a", "left", "right"}, with_a_blind_one, as_found);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[1].sensor, "left");
-  EXPECT_TRUE(found[0].world_from_depth);
+  EXPECT_TRUE(found[0].pose.is_placed());
 }
 
-TEST(PersonPlacer, what_is_found_settles_beside_those_that_are_placed) {
-  const auto settle = [](Placement& found, const KnownPoses& placed) {
+TEST(PersonPlacer, what_is_found_is_refined_beside_those_that_are_placed) {
+  const auto refine = [](const Placement& found, const KnownPoses& placed) {
     EXPECT_EQ(found.sensor, "right");
     EXPECT_TRUE(placed.contains("left"));
-    found.world_from_depth = kRight.world_from_depth;
-    found.expected_error_mm = 3;
+    return placed_at("right", kRight.world_from_depth, 3);
   };
   const auto found = watched_by({&kLeft, &kRight})
-                         .place({{"left", kLeft.world_from_depth}}, {"right"}, {}, settle);
+                         .place({{"left", kLeft.world_from_depth}}, {"right"}, {}, refine);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].world_from_depth->translation_m, kRight.world_from_depth.translation_m);
-  EXPECT_EQ(found[0].expected_error_mm, 3);
+  EXPECT_EQ(found[0].pose.world_from_depth.translation_m, kRight.world_from_depth.translation_m);
+  EXPECT_EQ(found[0].pose.expected_error_mm, 3);
 }
 
 TEST(PersonPlacer, one_that_is_alone_stands_nowhere) {
   for (const auto& placement : watched_by({&kLeft}).place({}, {"left", "right"}, seeds(), as_found))
-    EXPECT_FALSE(placement.world_from_depth);
+    EXPECT_FALSE(placement.pose.is_placed());
 }
 
 TEST(PersonPlacer, what_was_seen_before_it_was_moved_does_not_count) {
   auto placing = watched_by({&kLeft, &kRight});
-  placing.stand("right", kRight.floor());
+  placing.set_floor("right", kRight.floor());
   EXPECT_TRUE(placing.place({{"left", kLeft.world_from_depth}}, {"right"}, {}, as_found).empty());
 }
 
 TEST(PersonPlacer, a_sensor_that_sees_no_floor_takes_no_part) {
   auto placing = watched_by({&kLeft});
-  placing.stand("right", std::nullopt);
+  placing.set_floor("right", std::nullopt);
   placing.see("right", kRight.of_stroll());
   EXPECT_TRUE(placing.place({{"left", kLeft.world_from_depth}}, {"right"}, {}, as_found).empty());
 }

@@ -15,17 +15,41 @@
 namespace roomcast::alignment {
 namespace {
 
-Placement placed_at(const std::string& sensor, const RigidTransform& world_from_depth,
-                    double expected_error_mm) {
-  Placement placement;
-  placement.sensor = sensor;
-  placement.world_from_depth = world_from_depth;
-  placement.expected_error_mm = expected_error_mm;
-  return placement;
-}
-
 std::string not_there(const Error& why) {
   return "The proposed pose was refused: " + why.message;
+}
+
+void append_note(std::string& note, const std::string& more) {
+  if (!more.empty()) note += (note.empty() ? "" : " ") + more;
+}
+
+KnownPoses without(KnownPoses poses, const std::string& sensor) {
+  poses.erase(sensor);
+  return poses;
+}
+
+/// The roster with the results of verification: confirmed poses are estimated ones, contradicted
+/// ones are left out.
+KnownRoom with_verified(KnownRoom room, const std::map<std::string, Placement>& verified) {
+  for (const auto& [sensor, placement] : verified) {
+    if (placement.pose.is_placed()) {
+      room[sensor].pose = placement.pose;
+    } else {
+      room.erase(sensor);
+    }
+  }
+  return room;
+}
+
+/// The placements, where those of sensors that overlap did not place are replaced by the results of
+/// verification.
+std::vector<Placement> with_verified(std::vector<Placement> placements,
+                                     const std::map<std::string, Placement>& verified) {
+  for (Placement& placement : placements) {
+    const auto found = verified.find(placement.sensor);
+    if (!placement.pose.is_placed() && found != verified.end()) placement = found->second;
+  }
+  return placements;
 }
 
 }  // namespace
@@ -34,7 +58,7 @@ void PlacementSolver::add(const alignment::CalibrationBundle& bundle) {
   auto view = alignment::make_sensor_view(bundle);
   if (!view) return refuse(bundle.name, view.error().message);
   forget(bundle.name);
-  walks_.stand(bundle.name, view->floor);
+  walks_.set_floor(bundle.name, view->floor);
   views_[bundle.name] = std::make_shared<const alignment::SensorView>(*std::move(view));
   aligner_.add(views_[bundle.name]);
 }
@@ -65,209 +89,215 @@ void PlacementSolver::nudge(const std::string& sensor, const RigidTransform& wor
   pending_priors_[sensor] = world_from_depth;
 }
 
-std::vector<Placement> PlacementSolver::solve(KnownRoom known) {
+/// A single stored pose defines the world only if overlap places nobody without it.
+std::vector<Placement> PlacementSolver::solve(const KnownRoom& roster) {
   if (!report_) report_ = aligner_.solve();
-  Room room{std::move(known), {}, {}};
-  room.known = world_.settled(room.told);
-  for (const auto& [sensor, pose] : room.told.given) room.known[sensor] = pose;
-
-  std::map<std::string, Placement> recalled;
-  place_by_overlap(room, LoneStoredPose::kDoubted);
-  const bool is_anybody_placed = std::ranges::any_of(
-      room.placements, [](const Placement& one) { return one.world_from_depth.has_value(); });
-  recall(room, recalled);
-  if (!is_anybody_placed) {
-    place_by_overlap(room, LoneStoredPose::kTrusted);
-    recall(room, recalled);  // relative to the sensors placed just now
+  Solution solution =
+      verify_stored(place_by_overlap(start(roster), roster, LoneStoredPose::kDoubted));
+  if (!solution.is_anybody_placed()) {
+    const KnownRoom room = with_verified(roster, solution.verified);
+    solution = verify_stored(place_by_overlap(std::move(solution), room, LoneStoredPose::kTrusted));
   }
-  for (const auto& [sensor, placement] : recalled) {
-    Placement* place = room.placement_of(sensor);
-    if (place != nullptr && !place->world_from_depth) *place = placement;
-  }
-  place_by_nudge(room);
-  place_unplaced(room);
-  return std::move(room.placements);
+  solution.placements = with_verified(std::move(solution.placements), solution.verified);
+  solution = answer_priors(std::move(solution), roster);
+  solution = place_by_sightings(std::move(solution), roster);
+  unplaced_ = solution.unplaced();
+  return std::move(solution.placements);
 }
 
-Placement* PlacementSolver::Room::placement_of(const std::string& sensor) {
+Placement* PlacementSolver::Solution::placement_of(const std::string& sensor) {
   const auto placement = std::ranges::find(placements, sensor, &Placement::sensor);
   return placement == placements.end() ? nullptr : &*placement;
 }
 
-KnownPoses PlacementSolver::Room::base() const {
-  const bool is_anybody_here = std::ranges::any_of(
-      known, [this](const auto& pose) { return !told.away.contains(pose.first); });
-  return is_anybody_here ? known : KnownPoses();
+bool PlacementSolver::Solution::is_anybody_placed() const {
+  return std::ranges::any_of(placements, [](const Placement& one) { return one.pose.is_placed(); });
 }
 
-void PlacementSolver::Room::place(const Placement& found) {
-  known[found.sensor] = *found.world_from_depth;
-  told.remembered.erase(found.sensor);
+std::set<std::string> PlacementSolver::Solution::unplaced() const {
+  std::set<std::string> names;
+  for (const Placement& placement : placements) {
+    if (!placement.pose.is_placed() && !valid.contains(placement.sensor))
+      names.insert(placement.sensor);
+  }
+  return names;
+}
+
+void PlacementSolver::Solution::place(const Placement& found) {
+  valid[found.sensor] = found.pose.world_from_depth;
+  unverified.erase(found.sensor);
   if (Placement* placement = placement_of(found.sensor)) *placement = found;
 }
 
-/// Verifies the remembered poses of sensors that have sent a bundle.
-void PlacementSolver::recall(Room& room, std::map<std::string, Placement>& recalled) {
-  KnownPoses here = room.told.remembered;
-  std::erase_if(here, [this](const auto& pose) { return !views_.contains(pose.first); });
-  const auto told = verify_stored_poses(
-      here, room.known, [this](const NamedPose& a, const NamedPose& b) { return witness(a, b); });
-  for (const auto& [sensor, placement] : told.confirmed) {
-    room.place(placement);
-    room.told.found[sensor] = *placement.world_from_depth;
-    recalled[sensor] = placement;
+PlacementSolver::Solution PlacementSolver::start(const KnownRoom& roster) const {
+  Solution solution;
+  solution.valid = world_.estimated_in_world(roster);
+  for (const auto& [sensor, pose] : given_poses(roster)) solution.valid[sensor] = pose;
+  solution.unverified = stored_poses(roster);
+  return solution;
+}
+
+PlacementSolver::Solution PlacementSolver::place_by_overlap(Solution solution,
+                                                            const KnownRoom& room,
+                                                            LoneStoredPose lone) {
+  solution.placements = world_.place(*report_, room, lone);
+  for (const auto& [sensor, reason] : refused_)
+    solution.placements.push_back(not_placed(sensor, reason));
+  for (const Placement& placement : solution.placements) {
+    if (placement.withdrawn) solution.valid.erase(placement.sensor);
+    if (!placement.pose.is_placed()) continue;
+    solution.valid[placement.sensor] = placement.pose.world_from_depth;
+    solution.unverified.erase(placement.sensor);
   }
-  for (const auto& [sensor, placement] : told.contradicted) {
-    room.told.remembered.erase(sensor);
-    recalled[sensor] = placement;
+  for (const auto& [sensor, pose] : given_poses(room)) solution.valid[sensor] = pose;
+  return solution;
+}
+
+/// Verifies the stored poses of sensors that have sent a bundle.
+PlacementSolver::Solution PlacementSolver::verify_stored(Solution solution) {
+  KnownPoses stored = solution.unverified;
+  std::erase_if(stored, [this](const auto& pose) { return !views_.contains(pose.first); });
+  const StoredPoseChecks checks = verify_stored_poses(
+      stored, solution.valid,
+      [this](const NamedPose& a, const NamedPose& b) { return check_pair(a, b); });
+  for (const auto& [sensor, placement] : checks.confirmed) {
+    solution.valid[sensor] = placement.pose.world_from_depth;
+    solution.unverified.erase(sensor);
+    solution.verified[sensor] = placement;
   }
+  for (const auto& [sensor, placement] : checks.contradicted) {
+    solution.unverified.erase(sensor);
+    solution.verified[sensor] = placement;
+  }
+  return solution;
 }
 
 /// Cached: every solve() asks again, and the result changes only with a bundle or a pose.
-alignment::StoredPoseCheck PlacementSolver::witness(const NamedPose& a, const NamedPose& b) {
+alignment::StoredPoseCheck PlacementSolver::check_pair(const NamedPose& a, const NamedPose& b) {
   const alignment::PairCandidates* pair = aligner_.pair(a.sensor, b.sensor);
   if (pair == nullptr) return {};
-  if (pair->a().name != a.sensor) return witness(b, a);
-  CachedPoseCheck& testimony = pose_checks_[{a.sensor, b.sensor}];
+  if (pair->a().name != a.sensor) return check_pair(b, a);
+  CachedPoseCheck& cached = pose_checks_[{a.sensor, b.sensor}];
   const auto poses = std::array{row_major_from_transform(a.world_from_depth),
                                 row_major_from_transform(b.world_from_depth)};
-  if (testimony.pair != pair || testimony.poses != poses) {
-    testimony = {pair, poses,
-                 alignment::stored_pose_check(*pair, a.world_from_depth, b.world_from_depth)};
+  if (cached.pair != pair || cached.poses != poses) {
+    cached = {pair, poses,
+              alignment::stored_pose_check(*pair, a.world_from_depth, b.world_from_depth)};
   }
-  return testimony.told;
-}
-
-void PlacementSolver::place_by_overlap(Room& room, LoneStoredPose lone) {
-  room.placements = world_.place(*report_, room.told, lone);
-  for (const auto& [sensor, reason] : refused_) {
-    Placement& placement = room.placements.emplace_back();
-    placement.sensor = sensor;
-    placement.note = reason;
-  }
-  for (const Placement& placement : room.placements) {
-    if (placement.withdrawn) room.known.erase(placement.sensor);
-    if (!placement.world_from_depth) continue;
-    room.known[placement.sensor] = *placement.world_from_depth;
-    room.told.remembered.erase(placement.sensor);
-  }
-  for (const auto& [sensor, pose] : room.told.given) room.known[sensor] = pose;
+  return cached.result;
 }
 
 /// An accepted prior is valid until the sensor sends another bundle.
-void PlacementSolver::place_by_nudge(Room& room) {
-  for (const auto& [sensor, placement] : accepted_priors_) room.place(placement);
-  for (const auto& [sensor, guess] : pending_priors_) {
-    const auto view = views_.find(sensor);
-    if (view == views_.end()) continue;
-    KnownPoses base = room.known;
-    base.erase(sensor);
-    if (base.empty()) base = room.told.remembered;
-    base.erase(sensor);
-    if (base.empty()) {
-      try_prior_near_unplaced(sensor, guess, room);
-      continue;
-    }
-    const auto answer = alignment::refined_prior(*view->second, guess, views_except(sensor, base));
-    if (answer) {
-      keep_nudged(placed_at(sensor, answer->world_from_depth, answer->expected_error_mm), room);
-    } else if (!accepted_priors_.contains(sensor)) {
-      room.placement_of(sensor)->note = not_there(answer.error());
+PlacementSolver::Solution PlacementSolver::answer_priors(Solution solution,
+                                                         const KnownRoom& roster) {
+  for (const auto& [sensor, placement] : accepted_priors_) solution.place(placement);
+  for (const auto& [sensor, prior] : std::exchange(pending_priors_, {})) {
+    if (!views_.contains(sensor)) continue;
+    KnownPoses placed = without(solution.valid, sensor);
+    if (placed.empty()) placed = without(solution.unverified, sensor);
+    if (!placed.empty()) {
+      const auto answer = prior_near_placed(sensor, prior, placed);
+      if (answer) {
+        solution.place(accepted_priors_[sensor] = *answer);
+      } else if (!accepted_priors_.contains(sensor)) {
+        solution.placement_of(sensor)->pose.note = not_there(answer.error());
+      }
+    } else if (const auto answer = prior_near_unplaced(sensor, prior, placeholder_poses(roster))) {
+      const auto& [partner, found] = *answer;
+      solution.place(partner);
+      solution.place(accepted_priors_[sensor] = found);
+    } else {
+      solution.placement_of(sensor)->pose.note = not_there(answer.error());
     }
   }
-  pending_priors_.clear();
+  return solution;
 }
 
-void PlacementSolver::keep_nudged(const Placement& found, Room& room) {
-  accepted_priors_[found.sensor] = found;
-  room.place(found);
+Result<Placement> PlacementSolver::prior_near_placed(const std::string& sensor,
+                                                     const RigidTransform& prior,
+                                                     const KnownPoses& placed) const {
+  const auto found =
+      alignment::refined_prior(*views_.at(sensor), prior, views_except(sensor, placed));
+  if (!found) return found.error();
+  return placed_at(sensor, found->world_from_depth, found->expected_error_mm);
 }
 
 /// Places a sensor by its prior relative to an unplaced sensor at the placeholder pose that the
-/// room shows for it. The other sensor then defines the world.
-void PlacementSolver::try_prior_near_unplaced(const std::string& sensor,
-                                              const RigidTransform& guess, Room& room) {
-  const alignment::SensorView& view = *views_.at(sensor);
-  std::vector<alignment::PlacedView> others = views_except(sensor, room.told.provisional);
+/// room shows for it. The other sensor, which is returned first, then defines the world.
+Result<std::array<Placement, 2>> PlacementSolver::prior_near_unplaced(
+    const std::string& sensor, const RigidTransform& prior, const KnownPoses& placeholders) const {
+  std::vector<alignment::PlacedView> others = views_except(sensor, placeholders);
   std::erase_if(others, [](const alignment::PlacedView& other) { return !other.view->floor; });
-  const auto answer = alignment::refined_prior(view, guess, others);
-  if (!answer) {
-    room.placement_of(sensor)->note = not_there(answer.error());
-    return;
-  }
-  const RigidTransform level = alignment::level_from_depth(*views_.at(answer->beside)->floor);
-  room.place(placed_at(answer->beside, level, 0));
-  const RigidTransform level_from_shown =
-      level * room.told.provisional.at(answer->beside).inverse();
-  keep_nudged(
-      placed_at(sensor, level_from_shown * answer->world_from_depth, answer->expected_error_mm),
-      room);
+  const auto found = alignment::refined_prior(*views_.at(sensor), prior, others);
+  if (!found) return found.error();
+  const RigidTransform level = alignment::level_from_depth(*views_.at(found->beside)->floor);
+  const RigidTransform level_from_shown = level * placeholders.at(found->beside).inverse();
+  return std::array{
+      placed_at(found->beside, level, 0),
+      placed_at(sensor, level_from_shown * found->world_from_depth, found->expected_error_mm)};
 }
 
-/// Sensors with a remembered pose, then sensors that see a floor.
-Seeds PlacementSolver::seeds(const Room& room) const {
+/// Sensors with an unverified pose, then sensors that see a floor.
+Seeds PlacementSolver::seeds(const Solution& solution) const {
+  const std::set<std::string> unplaced = solution.unplaced();
   Seeds seeds;
-  for (const auto& [sensor, pose] : room.told.remembered) {
-    if (unplaced_.contains(sensor)) seeds.emplace_back(sensor, pose);
+  for (const auto& [sensor, pose] : solution.unverified) {
+    if (unplaced.contains(sensor)) seeds.emplace_back(sensor, pose);
   }
-  for (const std::string& sensor : unplaced_) {
+  for (const std::string& sensor : unplaced) {
     const auto view = views_.find(sensor);
     if (view == views_.end() || !view->second->floor) continue;
-    if (!room.told.remembered.contains(sensor))
+    if (!solution.unverified.contains(sensor))
       seeds.emplace_back(sensor, alignment::level_from_depth(*view->second->floor));
   }
   return seeds;
 }
 
-void PlacementSolver::place_unplaced(Room& room) {
-  unplaced_.clear();
-  for (const Placement& placement : room.placements) {
-    if (!placement.world_from_depth && !room.known.contains(placement.sensor))
-      unplaced_.insert(placement.sensor);
-  }
+/// Sensors that are placed serve to place further ones, until none is left or none is added.
+PlacementSolver::Solution PlacementSolver::place_by_sightings(Solution solution,
+                                                              const KnownRoom& roster) const {
   std::map<std::string, std::string> notes;
-  const auto take = [&](std::vector<Placement> found) {
-    for (Placement& one : found) {
-      if (!one.world_from_depth) {
-        std::string& note = notes[one.sensor];
-        if (!one.note.empty()) note += (note.empty() ? "" : " ") + one.note;
+  const auto take = [&](const std::vector<Placement>& found) {
+    for (Placement one : found) {
+      if (!one.pose.is_placed()) {
+        append_note(notes[one.sensor], one.pose.note);
         continue;
       }
-      const auto before = room.told.remembered.find(one.sensor);
-      if (before != room.told.remembered.end() &&
-          is_same_place(before->second, *one.world_from_depth, one.expected_error_mm)) {
-        one.world_from_depth = before->second;
+      const auto stored = solution.unverified.find(one.sensor);
+      if (stored != solution.unverified.end() &&
+          is_same_place(stored->second, one.pose.world_from_depth, one.pose.expected_error_mm)) {
+        one.pose.world_from_depth = stored->second;
       }
-      room.place(one);
-      unplaced_.erase(one.sensor);
+      solution.place(one);
     }
   };
-  const auto settled = [this](Placement& found, const KnownPoses& placed) {
-    settle(found, placed);
+  const auto base = [&] {
+    return has_connected(solution.valid, roster) ? solution.valid : KnownPoses();
   };
-  for (std::size_t before = unplaced_.size() + 1;
-       !unplaced_.empty() && unplaced_.size() < before;) {
-    before = unplaced_.size();
+  const auto refine = [this](Placement found, const KnownPoses& placed) {
+    return refined(std::move(found), placed);
+  };
+  std::set<std::string> unplaced = solution.unplaced();
+  for (std::size_t before = unplaced.size() + 1; !unplaced.empty() && unplaced.size() < before;) {
+    before = unplaced.size();
     notes.clear();
-    take(boards_.place(room.base(), unplaced_, seeds(room)));
-    take(walks_.place(room.base(), unplaced_, seeds(room), settled));
+    take(boards_.place(base(), unplaced, seeds(solution)));
+    take(walks_.place(base(), solution.unplaced(), seeds(solution), refine));
+    unplaced = solution.unplaced();
   }
-  for (const auto& [sensor, note] : notes) {
-    if (!unplaced_.contains(sensor) || note.empty()) continue;
-    std::string& all = room.placement_of(sensor)->note;
-    all += (all.empty() ? "" : " ") + note;
-  }
+  for (const std::string& sensor : unplaced)
+    append_note(solution.placement_of(sensor)->pose.note, notes[sensor]);
+  return solution;
 }
 
-void PlacementSolver::settle(Placement& found, const KnownPoses& placed) const {
+Placement PlacementSolver::refined(Placement found, const KnownPoses& placed) const {
   const auto view = views_.find(found.sensor);
-  if (view == views_.end()) return;
-  const auto settled = alignment::refined_placement(
-      *view->second, {*found.world_from_depth, found.expected_error_mm},
+  if (view == views_.end()) return found;
+  const auto better = alignment::refined_placement(
+      *view->second, {found.pose.world_from_depth, found.pose.expected_error_mm},
       views_except(found.sensor, placed));
-  if (!settled) return;
-  found.world_from_depth = settled->world_from_depth;
-  found.expected_error_mm = settled->expected_error_mm;
+  if (!better) return found;
+  return placed_at(found.sensor, better->world_from_depth, better->expected_error_mm);
 }
 
 std::vector<alignment::PlacedView> PlacementSolver::views_except(const std::string& sensor,

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -22,6 +21,7 @@
 #include "roomcast/alignment/service/placement.h"
 #include "roomcast/alignment/service/pose_verification.h"
 #include "roomcast/alignment/service/room_world.h"
+#include "roomcast/core/result.h"
 #include "roomcast/geometry/rigid_transform.h"
 
 namespace roomcast::alignment {
@@ -40,44 +40,52 @@ class PlacementSolver {
   /// Adds a person's prior for a pose; the next solve() answers it.
   void nudge(const std::string& sensor, const RigidTransform& world_from_depth);
 
-  /// Placements of all sensors that have been added. Remembered poses are compared with the current
+  /// Placements of all sensors that have been added. Stored poses are compared with the current
   /// views: confirmed ones are returned as estimated, contradicted ones are withdrawn. If the
-  /// comparison is inconclusive, the sensor is lost and meanwhile keeps its remembered pose in the
+  /// comparison is inconclusive, the sensor is unplaced and meanwhile keeps its stored pose in the
   /// roster.
-  [[nodiscard]] std::vector<Placement> solve(KnownRoom known);
+  [[nodiscard]] std::vector<Placement> solve(const KnownRoom& roster);
 
   /// After the last solve(): some sensors have no pose and could be placed by sightings.
   [[nodiscard]] bool wants_sightings() const { return !unplaced_.empty() && views_.size() > 1; }
 
  private:
-  /// The working state of one solve().
-  struct Room {
-    KnownRoom told;                     // `remembered` shrinks to the poses that are not verified
-    std::vector<Placement> placements;  // the result
-    KnownPoses known;                   // valid poses, to place others by
+  /// What the steps of one solve() have found so far. Each step takes one and returns the next.
+  struct Solution {
+    std::vector<Placement> placements;
+    KnownPoses valid;       // of all sensors: poses to place others by
+    KnownPoses unverified;  // stored poses that nothing has confirmed or contradicted
+    std::map<std::string, Placement> verified;  // confirmed and contradicted stored poses
 
     [[nodiscard]] Placement* placement_of(const std::string& sensor);
+    [[nodiscard]] bool is_anybody_placed() const;
+    /// Names of the sensors without a pose.
+    [[nodiscard]] std::set<std::string> unplaced() const;
     void place(const Placement& found);
-    /// The known poses; empty if all sensors with a known pose are away.
-    [[nodiscard]] KnownPoses base() const;
   };
 
   /// The result of stored_pose_check for a pair of sensors at these poses.
   struct CachedPoseCheck {
     const alignment::PairCandidates* pair = nullptr;
     std::array<std::array<double, 16>, 2> poses{};
-    alignment::StoredPoseCheck told;
+    alignment::StoredPoseCheck result;
   };
 
-  void recall(Room& room, std::map<std::string, Placement>& recalled);
-  [[nodiscard]] alignment::StoredPoseCheck witness(const NamedPose& a, const NamedPose& b);
-  void place_by_overlap(Room& room, LoneStoredPose lone);
-  void place_by_nudge(Room& room);
-  void keep_nudged(const Placement& found, Room& room);
-  void try_prior_near_unplaced(const std::string& sensor, const RigidTransform& guess, Room& room);
-  void place_unplaced(Room& room);
-  [[nodiscard]] Seeds seeds(const Room& room) const;
-  void settle(Placement& found, const KnownPoses& placed) const;
+  [[nodiscard]] Solution start(const KnownRoom& roster) const;
+  [[nodiscard]] Solution place_by_overlap(Solution solution, const KnownRoom& room,
+                                          LoneStoredPose lone);
+  [[nodiscard]] Solution verify_stored(Solution solution);
+  [[nodiscard]] Solution answer_priors(Solution solution, const KnownRoom& roster);
+  [[nodiscard]] Solution place_by_sightings(Solution solution, const KnownRoom& roster) const;
+
+  [[nodiscard]] alignment::StoredPoseCheck check_pair(const NamedPose& a, const NamedPose& b);
+  [[nodiscard]] Result<Placement> prior_near_placed(const std::string& sensor,
+                                                    const RigidTransform& prior,
+                                                    const KnownPoses& placed) const;
+  [[nodiscard]] Result<std::array<Placement, 2>> prior_near_unplaced(
+      const std::string& sensor, const RigidTransform& prior, const KnownPoses& placeholders) const;
+  [[nodiscard]] Seeds seeds(const Solution& solution) const;
+  [[nodiscard]] Placement refined(Placement found, const KnownPoses& placed) const;
   /// The views of the placed sensors, except this one.
   [[nodiscard]] std::vector<alignment::PlacedView> views_except(const std::string& sensor,
                                                                 const KnownPoses& placed) const;
@@ -86,7 +94,7 @@ class PlacementSolver {
   std::optional<alignment::AlignmentReport> report_;  // valid until a bundle is added or removed
   std::map<std::string, std::shared_ptr<const alignment::SensorView>> views_;
   std::map<std::string, std::string> refused_;  // reasons
-  std::set<std::string> unplaced_;
+  std::set<std::string> unplaced_;              // by the last solve()
   std::map<std::pair<std::string, std::string>, CachedPoseCheck> pose_checks_;
   RoomWorld world_;
   PersonPlacer walks_;

@@ -8,16 +8,11 @@
 #include "roomcast/alignment/feature/views_fixture.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 #include "roomcast/alignment/service/board_fixture.h"
+#include "roomcast/alignment/service/known_room_fixture.h"
 #include "roomcast/alignment/service/walk_fixture.h"
 
 namespace roomcast::alignment {
 namespace {
-
-KnownRoom given(const KnownPoses& poses) {
-  KnownRoom room;
-  room.given = poses;
-  return room;
-}
 
 TEST(PlacementSolver, a_view_of_no_use_is_reported) {
   auto dark = alignment::bundle_fixture({}, "dark", alignment::corner_pose(2, 1.5));
@@ -27,7 +22,7 @@ TEST(PlacementSolver, a_view_of_no_use_is_reported) {
   const auto placements = placing.solve({});
   ASSERT_EQ(placements.size(), 1U);
   EXPECT_EQ(placements[0].sensor, "dark");
-  EXPECT_FALSE(placements[0].note.empty());
+  EXPECT_FALSE(placements[0].pose.note.empty());
 }
 
 /// A long grey corridor, lit from one side: the views do not determine the position along it.
@@ -46,10 +41,10 @@ TEST(PlacementSolver, a_walk_tells_where_a_sensor_stands_and_what_both_see_how_e
   placing.add(in_corridor("first", first));
   placing.add(in_corridor("second", second));
   const auto placed_second = [&] {
-    const auto placements = placing.solve(given({{"first", first}}));
+    const auto placements = placing.solve(given_room({{"first", first}}));
     return *std::ranges::find(placements, "second", &Placement::sensor);
   };
-  ASSERT_FALSE(placed_second().world_from_depth) << "it could be anywhere along the corridor";
+  ASSERT_FALSE(placed_second().pose.is_placed()) << "it could be anywhere along the corridor";
   ASSERT_TRUE(placing.wants_sightings());
 
   // The two sensors see the crown at different depths: this shifts the walk by half of the
@@ -57,16 +52,10 @@ TEST(PlacementSolver, a_walk_tells_where_a_sensor_stands_and_what_both_see_how_e
   placing.see("first", stroll_seen_from(first, 0.11));
   placing.see("second", stroll_seen_from(second, 0.03));
   const Placement found = placed_second();
-  ASSERT_TRUE(found.world_from_depth) << found.note;
-  const Eigen::Vector3d off = found.world_from_depth->translation_m - second.translation_m;
+  ASSERT_TRUE(found.pose.is_placed()) << found.pose.note;
+  const Eigen::Vector3d off = found.pose.world_from_depth.translation_m - second.translation_m;
   EXPECT_NEAR(off.z(), 0, 0.01) << "the wall tells";
   EXPECT_NEAR(off.x(), 0, 0.06) << "the walk tells";
-}
-
-KnownRoom remembered(const KnownPoses& poses) {
-  KnownRoom room;
-  room.remembered = poses;
-  return room;
 }
 
 Placement of(const std::string& sensor, const std::vector<Placement>& placements) {
@@ -78,8 +67,9 @@ double apart_m(const RigidTransform& one, const RigidTransform& other) {
   return alignment::difference(one, other).distance_m;
 }
 
-bool same_bits(const std::optional<RigidTransform>& one, const RigidTransform& other) {
-  return one && row_major_from_transform(*one) == row_major_from_transform(other);
+bool same_bits(const Placement& one, const RigidTransform& other) {
+  return one.pose.is_placed() &&
+         row_major_from_transform(one.pose.world_from_depth) == row_major_from_transform(other);
 }
 
 const RigidTransform kLeftCorner = alignment::corner_pose(2, 1.5),
@@ -93,27 +83,27 @@ TEST(PlacementSolver, who_is_placed_keeps_its_pose_bit_for_bit_when_another_join
   placing.add(alignment::bundle_fixture({}, "left", kLeftCorner));
   placing.add(alignment::bundle_fixture({}, "right", kRightCorner));
   const auto two = placing.solve({});
-  ASSERT_TRUE(of("left", two).world_from_depth && of("right", two).world_from_depth);
+  ASSERT_TRUE(of("left", two).pose.is_placed() && of("right", two).pose.is_placed());
   KnownRoom room;
-  for (const Placement& placement : two) room.found[placement.sensor] = *placement.world_from_depth;
+  for (const Placement& placement : two) room[placement.sensor].pose = placement.pose;
   placing.add(alignment::bundle_fixture({}, "third", kThird));
   const auto three = placing.solve(room);
-  EXPECT_TRUE(of("third", three).world_from_depth);
-  EXPECT_TRUE(same_bits(of("left", three).world_from_depth, room.found.at("left")));
-  EXPECT_TRUE(same_bits(of("right", three).world_from_depth, room.found.at("right")));
+  EXPECT_TRUE(of("third", three).pose.is_placed());
+  EXPECT_TRUE(same_bits(of("left", three), room.at("left").pose.world_from_depth));
+  EXPECT_TRUE(same_bits(of("right", three), room.at("right").pose.world_from_depth));
 }
 
-TEST(PlacementSolver, a_room_that_is_remembered_is_verified_and_stays_where_it_was) {
+TEST(PlacementSolver, a_room_whose_poses_are_stored_is_verified_and_stays_where_it_was) {
   const KnownPoses before = {{"left", kLeftCorner}, {"right", kRightCorner}};
   PlacementSolver placing;
   placing.add(alignment::bundle_fixture({}, "left", kLeftCorner));
-  const auto alone = placing.solve(remembered(before));
-  EXPECT_FALSE(of("left", alone).world_from_depth) << "nothing to compare it with yet";
+  const auto alone = placing.solve(stored_room(before));
+  EXPECT_FALSE(of("left", alone).pose.is_placed()) << "nothing to compare it with yet";
   EXPECT_FALSE(of("left", alone).withdrawn);
   placing.add(alignment::bundle_fixture({}, "right", kRightCorner));
-  const auto both = placing.solve(remembered(before));
-  EXPECT_TRUE(same_bits(of("left", both).world_from_depth, kLeftCorner));
-  EXPECT_TRUE(same_bits(of("right", both).world_from_depth, kRightCorner));
+  const auto both = placing.solve(stored_room(before));
+  EXPECT_TRUE(same_bits(of("left", both), kLeftCorner));
+  EXPECT_TRUE(same_bits(of("right", both), kRightCorner));
   EXPECT_FALSE(placing.wants_sightings());
 }
 
@@ -121,11 +111,10 @@ TEST(PlacementSolver, who_was_moved_while_it_was_away_is_placed_where_it_stands_
   PlacementSolver placing;
   placing.add(alignment::bundle_fixture({}, "left", kLeftCorner));
   placing.add(alignment::bundle_fixture({}, "right", kRightCorner));
-  KnownRoom room = given({{"left", kLeftCorner}});
-  room.remembered = {{"right", kThird}};
+  const KnownRoom room = given_room({{"left", kLeftCorner}}, {{"right", kThird}});
   const auto right = of("right", placing.solve(room));
-  ASSERT_TRUE(right.world_from_depth);
-  EXPECT_LT(apart_m(*right.world_from_depth, kRightCorner), 0.02);
+  ASSERT_TRUE(right.pose.is_placed());
+  EXPECT_LT(apart_m(right.pose.world_from_depth, kRightCorner), 0.02);
 }
 
 TEST(PlacementSolver, who_was_moved_and_cannot_be_placed_anew_is_withdrawn) {
@@ -133,12 +122,11 @@ TEST(PlacementSolver, who_was_moved_and_cannot_be_placed_anew_is_withdrawn) {
   PlacementSolver placing;
   placing.add(in_corridor("first", kFirst));
   placing.add(in_corridor("second", turned_away));
-  KnownRoom room = given({{"first", kFirst}});
-  room.remembered = {{"second", kSecond}};
+  const KnownRoom room = given_room({{"first", kFirst}}, {{"second", kSecond}});
   const auto second = of("second", placing.solve(room));
-  EXPECT_FALSE(second.world_from_depth);
+  EXPECT_FALSE(second.pose.is_placed());
   EXPECT_TRUE(second.withdrawn);
-  EXPECT_NE(second.note.find("moved"), std::string::npos) << second.note;
+  EXPECT_NE(second.pose.note.find("moved"), std::string::npos) << second.pose.note;
   EXPECT_TRUE(placing.wants_sightings());
 }
 
@@ -161,57 +149,56 @@ class Corridor : public testing::Test {
   const RigidTransform truth = kFirst.inverse() * kSecond;
 };
 
-TEST_F(Corridor, where_nothing_tells_a_remembered_sensor_stays_and_a_walk_is_asked_for) {
-  KnownRoom room = given({{"first", kFirst}});
-  room.remembered = {{"second", kSecond}};
-  const auto untold = of("second", placing.solve(room));
-  EXPECT_FALSE(untold.world_from_depth) << "it could be anywhere along the corridor";
-  EXPECT_FALSE(untold.withdrawn);
+TEST_F(Corridor, where_nothing_tells_a_stored_pose_stays_and_a_walk_is_asked_for) {
+  const KnownRoom room = given_room({{"first", kFirst}}, {{"second", kSecond}});
+  const auto undecided = of("second", placing.solve(room));
+  EXPECT_FALSE(undecided.pose.is_placed()) << "it could be anywhere along the corridor";
+  EXPECT_FALSE(undecided.withdrawn);
   EXPECT_TRUE(placing.wants_sightings());
   walk();
   const auto walked = of("second", placing.solve(room));
-  EXPECT_TRUE(same_bits(walked.world_from_depth, kSecond)) << walked.note;
+  EXPECT_TRUE(same_bits(walked, kSecond)) << walked.pose.note;
   EXPECT_FALSE(placing.wants_sightings());
 }
 
-TEST_F(Corridor, a_walk_replaces_a_remembered_pose_that_does_not_hold) {
-  KnownRoom room = given({{"first", kFirst}});
-  room.remembered = {{"second", alignment::beside(kSecond, {1, 0, 0}, 0)}};
+TEST_F(Corridor, a_walk_replaces_a_stored_pose_that_does_not_hold) {
+  const KnownRoom room =
+      given_room({{"first", kFirst}}, {{"second", alignment::beside(kSecond, {1, 0, 0}, 0)}});
   walk();
   const auto walked = of("second", placing.solve(room));
-  ASSERT_TRUE(walked.world_from_depth) << walked.note;
-  EXPECT_LT(apart_m(*walked.world_from_depth, kSecond), 0.1);
+  ASSERT_TRUE(walked.pose.is_placed()) << walked.pose.note;
+  EXPECT_LT(apart_m(walked.pose.world_from_depth, kSecond), 0.1);
 }
 
-TEST_F(Corridor, two_that_are_remembered_only_are_verified_together_by_a_board) {
-  const KnownRoom room = remembered({{"first", kFirst}, {"second", kSecond}});
+TEST_F(Corridor, two_with_stored_poses_only_are_verified_together_by_a_board) {
+  const KnownRoom room = stored_room({{"first", kFirst}, {"second", kSecond}});
   for (const Placement& placement : placing.solve(room)) {
-    EXPECT_FALSE(placement.world_from_depth);
+    EXPECT_FALSE(placement.pose.is_placed());
     EXPECT_FALSE(placement.withdrawn);
   }
   hold_board();
   const auto placements = placing.solve(room);
-  EXPECT_TRUE(same_bits(of("first", placements).world_from_depth, kFirst));
-  EXPECT_TRUE(same_bits(of("second", placements).world_from_depth, kSecond));
+  EXPECT_TRUE(same_bits(of("first", placements), kFirst));
+  EXPECT_TRUE(same_bits(of("second", placements), kSecond));
 }
 
-TEST_F(Corridor, who_is_remembered_is_no_base_for_others_while_somebody_is_known) {
-  KnownRoom room = given({{"elsewhere", kThird}});
-  room.remembered = {{"first", kFirst}};
+TEST_F(Corridor, a_stored_pose_is_no_base_for_others_while_somebody_is_known) {
+  KnownRoom room = given_room({{"elsewhere", kThird}}, {{"first", kFirst}});
   hold_board();
-  EXPECT_FALSE(of("second", placing.solve(room)).world_from_depth);
-  room.given.clear();
-  EXPECT_TRUE(of("second", placing.solve(room)).world_from_depth);
+  EXPECT_FALSE(of("second", placing.solve(room)).pose.is_placed());
+  room.erase("elsewhere");
+  EXPECT_TRUE(of("second", placing.solve(room)).pose.is_placed());
 }
 
 TEST_F(Corridor, a_board_places_two_that_share_nothing_and_came_together) {
-  ASSERT_FALSE(of("first", placing.solve({})).world_from_depth);
+  ASSERT_FALSE(of("first", placing.solve({})).pose.is_placed());
   hold_board();
   const auto placements = placing.solve({});
   const auto first = of("first", placements), second = of("second", placements);
-  ASSERT_TRUE(first.world_from_depth && second.world_from_depth) << second.note;
-  EXPECT_LT(apart_m(first.world_from_depth->inverse() * *second.world_from_depth, truth), 0.01);
-  EXPECT_NEAR(first.world_from_depth->translation_m.y(), 1.7, 0.02) << "over its floor";
+  ASSERT_TRUE(first.pose.is_placed() && second.pose.is_placed()) << second.pose.note;
+  EXPECT_LT(apart_m(first.pose.world_from_depth.inverse() * second.pose.world_from_depth, truth),
+            0.01);
+  EXPECT_NEAR(first.pose.world_from_depth.translation_m.y(), 1.7, 0.02) << "over its floor";
   EXPECT_FALSE(placing.wants_sightings());
 }
 
@@ -221,9 +208,9 @@ TEST_F(Corridor, whom_a_board_has_placed_a_walk_places_others_beside) {
   hold_board();
   placing.see("second", stroll_seen_from(kSecond, 0.03));
   placing.see("third", stroll_seen_from(third, 0.03));
-  const auto placements = placing.solve(given({{"first", kFirst}}));
-  ASSERT_TRUE(of("third", placements).world_from_depth) << of("third", placements).note;
-  EXPECT_LT(apart_m(*of("third", placements).world_from_depth, third), 0.15);
+  const auto placements = placing.solve(given_room({{"first", kFirst}}));
+  ASSERT_TRUE(of("third", placements).pose.is_placed()) << of("third", placements).pose.note;
+  EXPECT_LT(apart_m(of("third", placements).pose.world_from_depth, third), 0.15);
 }
 
 TEST(PlacementSolver, a_guess_beside_one_that_nobody_could_place_makes_the_world) {
@@ -235,17 +222,17 @@ TEST(PlacementSolver, a_guess_beside_one_that_nobody_could_place_makes_the_world
   PlacementSolver placing;
   placing.add(alignment::bundle_fixture(symmetric, "one", one_pose));
   placing.add(alignment::bundle_fixture(symmetric, "other", other_pose));
-  KnownRoom room;
-  room.provisional["one"] = alignment::beside(one_pose, {9, 0.3, 4}, 1);
+  const RigidTransform shown = alignment::beside(one_pose, {9, 0.3, 4}, 1);
+  const KnownRoom room = room_of(PoseSource::kNone, {{"one", shown}});
   for (const Placement& placement : placing.solve(room))
-    ASSERT_FALSE(placement.world_from_depth) << "turned by half the room looks alike";
-  placing.nudge("other",
-                alignment::beside(room.provisional["one"] * truth, {0.05, 0, -0.04}, 0.02));
+    ASSERT_FALSE(placement.pose.is_placed()) << "turned by half the room looks alike";
+  placing.nudge("other", alignment::beside(shown * truth, {0.05, 0, -0.04}, 0.02));
   const auto placements = placing.solve(room);
   const auto one = of("one", placements), other = of("other", placements);
-  ASSERT_TRUE(one.world_from_depth && other.world_from_depth) << other.note;
-  EXPECT_LT(apart_m(one.world_from_depth->inverse() * *other.world_from_depth, truth), 0.03);
-  EXPECT_NEAR(one.world_from_depth->translation_m.y(), 1.9, 0.02) << "over its floor";
+  ASSERT_TRUE(one.pose.is_placed() && other.pose.is_placed()) << other.pose.note;
+  EXPECT_LT(apart_m(one.pose.world_from_depth.inverse() * other.pose.world_from_depth, truth),
+            0.03);
+  EXPECT_NEAR(one.pose.world_from_depth.translation_m.y(), 1.9, 0.02) << "over its floor";
 }
 
 }  // namespace

@@ -9,19 +9,19 @@ namespace {
 
 using alignment::StoredPoseVerdict;
 
-class Recollecting {
+class StoredPoseVerifier {
  public:
-  Recollecting(const KnownPoses& remembered, KnownPoses known, const PosePairCheck& witness)
-      : known_(std::move(known)), witness_(witness) {
-    told_.untold = remembered;
+  StoredPoseVerifier(const KnownPoses& stored, KnownPoses known, const PosePairCheck& check_pair)
+      : known_(std::move(known)), check_pair_(check_pair) {
+    checks_.inconclusive = stored;
   }
 
-  StoredPoseChecks finish() {
+  StoredPoseChecks run() {
     do {
       while (check_against_known()) {
       }
     } while (check_pairs());
-    return std::move(told_);
+    return std::move(checks_);
   }
 
  private:
@@ -32,11 +32,10 @@ class Recollecting {
     alignment::Contradiction contradiction = alignment::Contradiction::kNone;
   };
 
-  /// Returns true if a pose was confirmed or contradicted. A confirmed sensor then serves to check
-  /// others.
+  /// True: a pose was confirmed or contradicted. A confirmed sensor then serves to check others.
   bool check_against_known() {
-    for (const auto& [sensor, pose] : told_.untold) {
-      const Verdict verdict = beside_known(sensor, pose);
+    for (const auto& [sensor, pose] : checks_.inconclusive) {
+      const Verdict verdict = verdict_by_known(sensor, pose);
       if (verdict.confirmed == verdict.contradicted) continue;  // inconclusive or conflicting
       if (verdict.confirmed) {
         confirm(sensor, verdict.expected_error_mm);
@@ -48,32 +47,33 @@ class Recollecting {
     return false;
   }
 
-  [[nodiscard]] Verdict beside_known(const std::string& sensor, const RigidTransform& pose) const {
+  [[nodiscard]] Verdict verdict_by_known(const std::string& sensor,
+                                         const RigidTransform& pose) const {
     Verdict verdict;
     for (const auto& [other, world_from_other] : known_) {
       if (other == sensor) continue;
-      const auto told = witness_({other, world_from_other}, {sensor, pose});
-      if (told.verdict == StoredPoseVerdict::kContradicted) {
+      const auto check = check_pair_({other, world_from_other}, {sensor, pose});
+      if (check.verdict == StoredPoseVerdict::kContradicted) {
         if (!verdict.contradicted) verdict.by = other;
         verdict.contradicted = true;
-        verdict.contradiction = told.contradiction;
+        verdict.contradiction = check.contradiction;
       }
-      if (told.verdict != StoredPoseVerdict::kConfirmed) continue;
-      const bool better = told.expected_error_mm < verdict.expected_error_mm;
-      if (better || !verdict.confirmed) verdict.expected_error_mm = told.expected_error_mm;
+      if (check.verdict != StoredPoseVerdict::kConfirmed) continue;
+      const bool better = check.expected_error_mm < verdict.expected_error_mm;
+      if (better || !verdict.confirmed) verdict.expected_error_mm = check.expected_error_mm;
       verdict.confirmed = true;
     }
     return verdict;
   }
 
   bool check_pairs() {
-    for (auto one = told_.untold.begin(); one != told_.untold.end(); ++one) {
-      for (auto other = std::next(one); other != told_.untold.end(); ++other) {
-        const auto told = witness_({one->first, one->second}, {other->first, other->second});
-        if (told.verdict != StoredPoseVerdict::kConfirmed) continue;
+    for (auto one = checks_.inconclusive.begin(); one != checks_.inconclusive.end(); ++one) {
+      for (auto other = std::next(one); other != checks_.inconclusive.end(); ++other) {
+        const auto check = check_pair_({one->first, one->second}, {other->first, other->second});
+        if (check.verdict != StoredPoseVerdict::kConfirmed) continue;
         const std::string first = one->first, second = other->first;
-        confirm(first, told.expected_error_mm);
-        confirm(second, told.expected_error_mm);
+        confirm(first, check.expected_error_mm);
+        confirm(second, check.expected_error_mm);
         return true;
       }
     }
@@ -81,35 +81,33 @@ class Recollecting {
   }
 
   void confirm(std::string sensor, double expected_error_mm) {
-    Placement& placement = told_.confirmed[sensor];
-    placement.sensor = sensor;
-    placement.world_from_depth = told_.untold.at(sensor);
-    placement.expected_error_mm = expected_error_mm;
-    known_[sensor] = told_.untold.at(sensor);
-    told_.untold.erase(sensor);
+    const RigidTransform pose = checks_.inconclusive.at(sensor);
+    checks_.confirmed[sensor] = placed_at(sensor, pose, expected_error_mm);
+    known_[sensor] = pose;
+    checks_.inconclusive.erase(sensor);
   }
 
   void contradict(std::string sensor, const Verdict& verdict) {
-    Placement& placement = told_.contradicted[sensor];
-    placement.sensor = sensor;
+    const bool by_colors = verdict.contradiction == alignment::Contradiction::kColors;
+    Placement& placement = checks_.contradicted[sensor];
+    placement =
+        not_placed(sensor, std::string("It was moved while it was away: its ") +
+                               (by_colors ? "colours" : "surfaces") + " do not fit those of " +
+                               verdict.by + " at its stored pose.");
     placement.withdrawn = true;
-    placement.note =
-        std::string("It was moved while it was away: its ") +
-        (verdict.contradiction == alignment::Contradiction::kColors ? "colours" : "surfaces") +
-        " do not fit those of " + verdict.by + " at its stored pose.";
-    told_.untold.erase(sensor);
+    checks_.inconclusive.erase(sensor);
   }
 
-  StoredPoseChecks told_;
+  StoredPoseChecks checks_;
   KnownPoses known_;
-  const PosePairCheck& witness_;
+  const PosePairCheck& check_pair_;
 };
 
 }  // namespace
 
-StoredPoseChecks verify_stored_poses(const KnownPoses& remembered, const KnownPoses& known,
-                                     const PosePairCheck& witness) {
-  return Recollecting(remembered, known, witness).finish();
+StoredPoseChecks verify_stored_poses(const KnownPoses& stored, const KnownPoses& known,
+                                     const PosePairCheck& check_pair) {
+  return StoredPoseVerifier(stored, known, check_pair).run();
 }
 
 }  // namespace roomcast::alignment

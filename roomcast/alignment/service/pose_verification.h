@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verifies remembered poses: those of sensors that were away, and those that a hub stored before it
+// Verifies stored poses: those of sensors that were offline, and those that a hub stored before it
 // was restarted. A pose is confirmed if it fits the view of a sensor whose pose is known; it then
-// confirms others. Two remembered poses also confirm each other, because two sensors are unlikely
+// confirms others. Two stored poses also confirm each other, because two sensors are unlikely
 // to be moved alike. No I/O. Deterministic.
 #pragma once
 
@@ -26,12 +26,12 @@ using PosePairCheck =
 struct StoredPoseChecks {
   std::map<std::string, Placement> confirmed;
   std::map<std::string, Placement> contradicted;  // withdrawn, with the reason
-  KnownPoses untold;                              // without a conclusive comparison
+  KnownPoses inconclusive;                        // nothing confirms or contradicts them
 };
 
 /// `known`: valid poses.
-[[nodiscard]] StoredPoseChecks verify_stored_poses(const KnownPoses& remembered,
+[[nodiscard]] StoredPoseChecks verify_stored_poses(const KnownPoses& stored,
                                                    const KnownPoses& known,
-                                                   const PosePairCheck& witness);
+                                                   const PosePairCheck& check_pair);
 
 }  // namespace roomcast::alignment

@@ -12,7 +12,6 @@
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/room/calibration_message.h"
-#include "roomcast/wire/limits.h"
 #include "roomcast/wire/pose_message.h"
 
 namespace roomcast::alignment {
@@ -30,13 +29,6 @@ pb::Join join_message(const RoomAlignerOptions& options) {
   return join;
 }
 
-/// The group of poses that this entry belongs to, by its placement.
-KnownPoses& poses_like(const pb::SensorEntry& entry, KnownRoom& known) {
-  if (entry.placement() == pb::PLACEMENT_UNPLACED) return known.provisional;
-  if (entry.placement() == pb::PLACEMENT_GIVEN) return entry.online() ? known.given : known.found;
-  return entry.unverified() ? known.remembered : known.found;
-}
-
 }  // namespace
 
 class RoomAligner::Link final : public client::HubLinkEvents {
@@ -44,7 +36,7 @@ class RoomAligner::Link final : public client::HubLinkEvents {
   Link(std::vector<net::HubUrl> hubs, RoomAlignerOptions options)
       : options_(std::move(options)),
         link_(network_.io(), std::move(hubs), join_message(options_), *this),
-        alignment_worker_([this](AlignmentUpdate thought) { tell(std::move(thought)); }) {
+        alignment_worker_([this](AlignmentUpdate update) { publish(std::move(update)); }) {
     link_.start();
     network_.start();
   }
@@ -80,17 +72,16 @@ class RoomAligner::Link final : public client::HubLinkEvents {
     const auto before = std::exchange(sensors_, {});
     for (const pb::SensorEntry& entry : roster.sensors()) {
       auto calibration = client::calibration_from_message(entry.calibration());
-      const auto pose = wire::read_transform(entry.world_from_depth());
+      auto pose = wire::read_pose(entry);
       if (!calibration || !pose) continue;
-      sensors_[entry.id()] = {entry.name(), *std::move(calibration), entry.moved()};
-      has_unplaced |= entry.online() && (entry.moved() || entry.placement() != pb::PLACEMENT_GIVEN);
-      if (entry.moved()) {
+      sensors_[entry.id()] = {entry.name(), *std::move(calibration), pose->is_moved()};
+      has_unplaced |= entry.online() && (pose->is_moved() || pose->source != PoseSource::kGiven);
+      if (pose->is_moved()) {
         const auto then = before.find(entry.id());
         if (then != before.end() && !then->second.moved) alignment_worker_.forget(entry.name());
         continue;
       }
-      poses_like(entry, known)[entry.name()] = *pose;
-      if (!entry.online()) known.away.insert(entry.name());
+      known[entry.name()] = {*std::move(pose), entry.online()};
     }
     for (const auto& [id, sensor] : before) {
       const auto same_name = [&](const auto& entry) { return entry.second.name == sensor.name; };
@@ -117,10 +108,10 @@ class RoomAligner::Link final : public client::HubLinkEvents {
   }
 
   /// Called on the worker's thread.
-  void tell(AlignmentUpdate thought) {
-    boost::asio::post(network_.io(), [this, thought = std::move(thought)] {
-      send(thought.placements);
-      ask_for_sightings(thought.wants_sightings);
+  void publish(AlignmentUpdate update) {
+    boost::asio::post(network_.io(), [this, update = std::move(update)] {
+      send(update.placements);
+      ask_for_sightings(update.wants_sightings);
     });
   }
 
@@ -141,13 +132,9 @@ class RoomAligner::Link final : public client::HubLinkEvents {
         if (sensor.name != placement.sensor) continue;
         auto& found = *message.mutable_placements()->add_sensors();
         found.set_sensor_id(id);
-        found.set_expected_error_mm(static_cast<float>(placement.expected_error_mm));
+        wire::write_pose(placement.pose, found);
         found.set_bundle_number(placement.bundle_number);
         found.set_withdrawn(placement.withdrawn);
-        found.set_note(placement.note.substr(0, wire::kMaxNoteBytes));
-        if (placement.world_from_depth) {
-          wire::write_transform(*placement.world_from_depth, *found.mutable_world_from_depth());
-        }
       }
     }
     link_.send(message);
@@ -156,9 +143,9 @@ class RoomAligner::Link final : public client::HubLinkEvents {
   /// Logs a placement unless it repeats the last sentence about the sensor.
   void log(const Placement& placement) {
     const std::string sentence =
-        placement.world_from_depth
+        placement.pose.is_placed()
             ? "sensor \"" + placement.sensor + "\" is placed"
-            : "sensor \"" + placement.sensor + "\" cannot be placed: " + placement.note;
+            : "sensor \"" + placement.sensor + "\" cannot be placed: " + placement.pose.note;
     std::string& last = logged_[placement.sensor];
     if (last == sentence) return;
     last = sentence;

@@ -44,70 +44,65 @@ std::vector<Placement> placements_of(const alignment::AlignmentReport& report,
                                      const std::optional<Anchor>& anchor, const KnownPoses& known) {
   std::vector<Placement> placements;
   for (const alignment::SensorReport& sensor : report.sensors) {
-    Placement& placement = placements.emplace_back();
-    placement.sensor = sensor.id;
     if (!sensor.placed) {
-      placement.note = sensor.reason;
+      placements.push_back(not_placed(sensor.id, sensor.reason));
     } else if (!anchor) {
-      placement.note = kNotConnected;
+      placements.push_back(not_placed(sensor.id, kNotConnected));
     } else {
       const RigidTransform now = anchor->now_from_report * *sensor.world_from_depth;
       const auto before = known.find(sensor.id);
       const double error_mm = std::hypot(sensor.expected_error_mm, anchor->expected_error_mm);
       const bool keeps = before != known.end() && is_same_place(before->second, now, error_mm);
-      placement.world_from_depth = keeps ? before->second : now;
-      placement.expected_error_mm = sensor.expected_error_mm;
+      placements.push_back(
+          placed_at(sensor.id, keeps ? before->second : now, sensor.expected_error_mm));
     }
   }
   return placements;
 }
 
-auto count_here(const KnownPoses& poses, const std::set<std::string>& away) {
-  return std::ranges::count_if(poses, [&](const auto& pose) { return !away.contains(pose.first); });
-}
-
 /// The anchor of the report in the room; nothing if the transform is not determined.
-std::optional<Anchor> anchor_in(const KnownRoom& known, const KnownPoses& found,
+std::optional<Anchor> anchor_in(const KnownRoom& known, const KnownPoses& estimated,
                                 const alignment::AlignmentReport& report, LoneStoredPose lone) {
   constexpr int kAgree = 2;
-  for (const KnownPoses& poses : {known.given, found}) {
+  const KnownPoses given = given_poses(known), stored = stored_poses(known);
+  for (const KnownPoses& poses : {given, estimated}) {
     if (const Anchor anchor = anchor_of(report, poses); anchor.votes > 0) return anchor;
   }
-  const bool is_settled = !known.given.empty() || count_here(found, known.away) > 0;
-  const Anchor remembered = anchor_of(report, known.remembered);
-  const bool needs_others = is_settled || lone == LoneStoredPose::kDoubted;
-  if (remembered.votes >= (needs_others ? kAgree : 1)) return remembered;
-  if (is_settled || count_here(known.remembered, known.away) > 0) return std::nullopt;
+  const bool has_world = !given.empty() || has_connected(estimated, known);
+  const Anchor by_stored = anchor_of(report, stored);
+  const bool needs_others = has_world || lone == LoneStoredPose::kDoubted;
+  if (by_stored.votes >= (needs_others ? kAgree : 1)) return by_stored;
+  if (has_world || has_connected(stored, known)) return std::nullopt;
   return Anchor{};  // a provisional world
 }
 
 /// A sensor that is alone in the report was placed relative to itself only.
-void drop_lone_stored_pose(const KnownPoses& remembered, std::vector<Placement>& placements) {
-  if (placements.size() != 1 || !remembered.contains(placements[0].sensor)) return;
-  placements[0].world_from_depth.reset();
-  placements[0].expected_error_mm = 0;
-  placements[0].note = kAlone;
+void drop_lone_stored_pose(const KnownPoses& stored, std::vector<Placement>& placements) {
+  if (placements.size() == 1 && stored.contains(placements[0].sensor))
+    placements[0] = not_placed(placements[0].sensor, kAlone);
 }
 
 }  // namespace
 
 std::vector<Placement> RoomWorld::place(const alignment::AlignmentReport& report,
                                         const KnownRoom& known, LoneStoredPose lone_stored_pose) {
-  KnownPoses found = settled(known);
+  const KnownPoses given = given_poses(known), stored = stored_poses(known);
+  KnownPoses estimated = estimated_in_world(known);
   const auto lone = lone_world(report, known);
-  if (lone) found.erase(*lone);
-  KnownPoses keep = known.remembered;
-  for (const KnownPoses& poses : {found, known.given}) {
+  if (lone) estimated.erase(*lone);
+  KnownPoses keep = stored;
+  for (const KnownPoses& poses : {estimated, given}) {
     for (const auto& [sensor, pose] : poses) keep[sensor] = pose;
   }
-  auto placements = placements_of(report, anchor_in(known, found, report, lone_stored_pose), keep);
-  drop_lone_stored_pose(known.remembered, placements);
-  const bool is_provisional = known.given.empty() && known.remembered.empty() &&
-                              (known.found.empty() || !provisional_.empty());
+  auto placements =
+      placements_of(report, anchor_in(known, estimated, report, lone_stored_pose), keep);
+  drop_lone_stored_pose(stored, placements);
+  const bool is_provisional =
+      given.empty() && stored.empty() && (estimated_poses(known).empty() || !provisional_.empty());
   for (Placement& placement : placements) {
-    if (!placement.world_from_depth) {
-      placement.withdrawn = placement.sensor == lone ||
-                            (provisional_.contains(placement.sensor) && !known.given.empty());
+    if (!placement.pose.is_placed()) {
+      placement.withdrawn =
+          placement.sensor == lone || (provisional_.contains(placement.sensor) && !given.empty());
     } else if (is_provisional) {
       provisional_.insert(placement.sensor);
     } else {
@@ -119,23 +114,23 @@ std::vector<Placement> RoomWorld::place(const alignment::AlignmentReport& report
 
 std::optional<std::string> RoomWorld::lone_world(const alignment::AlignmentReport& report,
                                                  const KnownRoom& known) const {
-  if (!known.given.empty() || count_here(known.remembered, known.away) > 0) return std::nullopt;
+  if (!given_poses(known).empty() || has_connected(stored_poses(known), known)) return std::nullopt;
   std::optional<std::string> lone;
-  for (const auto& [sensor, pose] : known.found) {
-    if (known.away.contains(sensor)) continue;
+  for (const auto& [sensor, pose] : estimated_poses(known)) {
+    if (!known.at(sensor).is_connected) continue;
     if (lone || !provisional_.contains(sensor)) return std::nullopt;
     lone = sensor;
   }
-  const auto says =
+  const auto reported =
       std::ranges::find(report.sensors, lone.value_or(""), &alignment::SensorReport::id);
   const bool others = std::ranges::any_of(report.sensors, &alignment::SensorReport::placed);
-  if (says == report.sensors.end() || says->placed || !others) return std::nullopt;
+  if (reported == report.sensors.end() || reported->placed || !others) return std::nullopt;
   return lone;
 }
 
-KnownPoses RoomWorld::settled(const KnownRoom& known) const {
-  KnownPoses poses = known.found;
-  if (!known.given.empty())
+KnownPoses RoomWorld::estimated_in_world(const KnownRoom& known) const {
+  KnownPoses poses = estimated_poses(known);
+  if (!given_poses(known).empty())
     std::erase_if(poses, [&](const auto& pose) { return provisional_.contains(pose.first); });
   return poses;
 }

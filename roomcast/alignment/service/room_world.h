@@ -17,7 +17,7 @@
 
 namespace roomcast::alignment {
 
-/// Whether a single remembered pose may anchor the world if no better pose is present.
+/// Whether a single stored pose may anchor the world if no better pose is present.
 enum class LoneStoredPose { kDoubted, kTrusted };
 
 class RoomWorld {
@@ -25,16 +25,16 @@ class RoomWorld {
   /// The poses of the report, transformed as a whole so that one of its sensors with a known pose
   /// keeps it: the one for which most other sensors keep theirs, too, so that the room stays in
   /// place when a sensor was moved unnoticed. Given poses have precedence over estimated ones, and
-  /// estimated ones over remembered ones; of the latter two have to agree unless nothing better is
-  /// present (`lone`). A report with a single sensor is no evidence of its pose: a remembered pose
-  /// is not confirmed by it.
+  /// estimated ones over stored ones; of the latter two have to agree unless nothing better is
+  /// present (`lone`). A report with a single sensor is no evidence of its pose: a stored pose is
+  /// not confirmed by it.
   [[nodiscard]] std::vector<Placement> place(const alignment::AlignmentReport& report,
                                              const KnownRoom& known,
                                              LoneStoredPose lone = LoneStoredPose::kTrusted);
 
   /// The estimated poses that are in the world of the given poses, if there are any of those; else
   /// all.
-  [[nodiscard]] KnownPoses settled(const KnownRoom& known) const;
+  [[nodiscard]] KnownPoses estimated_in_world(const KnownRoom& known) const;
 
  private:
   /// The only connected sensor with a pose, if its world is provisional and the report places

@@ -23,13 +23,10 @@ std::vector<Placement> place_or_seed(const KnownPoses& placed, const std::set<st
     std::set<std::string> others = lost;
     others.erase(seed);
     auto placements = place_relative_to(KnownPoses{{seed, world_from_depth}}, others);
-    const bool any = std::ranges::any_of(placements, [](const Placement& placement) {
-      return placement.world_from_depth.has_value();
-    });
+    const bool any = std::ranges::any_of(
+        placements, [](const Placement& placement) { return placement.pose.is_placed(); });
     if (any) {
-      Placement& first = placements.emplace_back();
-      first.sensor = seed;
-      first.world_from_depth = world_from_depth;
+      placements.push_back(placed_at(seed, world_from_depth, 0));
       return placements;
     }
     if (reasons.empty()) reasons = std::move(placements);
