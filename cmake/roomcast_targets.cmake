@@ -2,6 +2,7 @@
 #
 #   roomcast_library(codec
 #     SOURCES depth_encoder.cpp ...        # headers need not be listed
+#     INNER_LOOPS steady_depth.cpp ...     # loops over pixels, points and matches, compiled with -O3
 #     TESTS depth_encoder_test.cpp ...     # one test program per folder: roomcast_codec_test
 #     LINK roomcast::core PkgConfig::VPX)
 #
@@ -43,7 +44,15 @@ function(roomcast_test target label)
 endfunction()
 
 function(roomcast_library name)
-  cmake_parse_arguments(ARG "SEPARATE" "" "SOURCES;TESTS;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "SEPARATE" "" "SOURCES;INNER_LOOPS;TESTS;LINK" ${ARGN})
+  if(ARG_INNER_LOOPS)
+    add_library(roomcast_${name}_inner_loops OBJECT ${ARG_INNER_LOOPS})
+    target_link_libraries(roomcast_${name}_inner_loops PRIVATE roomcast_flags ${ARG_LINK})
+    # They compare floats, but never read errno or floating-point exceptions.
+    target_compile_options(roomcast_${name}_inner_loops PRIVATE -O3 -fno-math-errno -fno-trapping-math)
+    roomcast_compile_in_units(roomcast_${name}_inner_loops)
+    list(APPEND ARG_SOURCES $<TARGET_OBJECTS:roomcast_${name}_inner_loops>)
+  endif()
   if(ARG_SOURCES)
     add_library(roomcast_${name} STATIC ${ARG_SOURCES})
     if(NOT ARG_SEPARATE)
