@@ -197,8 +197,8 @@ const std::vector<Layer> kLayers = {
      "client/room core geometry render/gl render/view viewer/view viewer/walk",
      "render/surface viewer/window viewer/xr/test_runtime"},
     {"viewer",
-     "client io viewer/capture viewer/panel viewer/report viewer/view viewer/walk "
-     "viewer/window viewer/xr",
+     "client client/room io render/view viewer/capture viewer/panel viewer/report viewer/view "
+     "viewer/walk viewer/window viewer/xr",
      "core viewer/xr/test_runtime"},
     {"viewer/xr/test_runtime",
      "",
