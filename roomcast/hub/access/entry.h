@@ -26,6 +26,7 @@ struct Entry {
   bool takes_over_name = false;  // the sensor may replace an online one of the same name
   std::string new_token = {};    // issued in exchange for a code
   std::uint64_t other_hub = 0;   // the hub of a sensor that a backplane represents; 0: this hub
+  bool is_backplane = false;     // a backplane's connection
 };
 
 /// Returns null if there is no such room.

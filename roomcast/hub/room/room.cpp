@@ -169,6 +169,7 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
     announce_in_time(now, out);
   } else {
     std::erase(aligners_, from);
+    std::erase(backplane_aligners_, from);
     if (forget_people(remote_presence_.forget(from))) announce_in_time(now, out);
     if (aligners_.empty() && (wanted_sightings_.heads() || wanted_sightings_.tags()))
       ask_for_sightings({}, out);

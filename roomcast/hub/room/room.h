@@ -138,6 +138,7 @@ class Room {
   SensorList sensors_;
   std::unordered_map<ConnectionId, Viewer> viewers_;
   std::vector<ConnectionId> aligners_;
+  std::vector<ConnectionId> backplane_aligners_;  // of these, those that forward poses to hubs
   wire::pb::SightingRequest wanted_sightings_;
   wire::pb::Control other_hubs_;  // the other hubs that have this room; empty: none
   RemotePresence remote_presence_;

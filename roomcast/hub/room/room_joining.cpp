@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "roomcast/core/assert.h"
-#include "roomcast/hub/room/backplane_connection.h"
 #include "roomcast/hub/room/pose_rules.h"
 #include "roomcast/hub/room/room.h"
 #include "roomcast/wire/limits.h"
@@ -152,7 +151,10 @@ void Room::join_aligner(ConnectionId from, const Entry& entry, RoomTime now, Roo
     return;
   }
   aligners_.push_back(from);
-  if (is_of_backplane(from)) poses_.resend_all();
+  if (entry.is_backplane) {
+    backplane_aligners_.push_back(from);
+    poses_.resend_all();
+  }
   out.push_back(AcceptConnection{from, Role::kAligner});
   out.push_back(SendControl{{from}, welcome_message(entry)});
   out.push_back(SendControl{{from}, roster_message()});

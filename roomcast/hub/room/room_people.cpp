@@ -5,7 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "roomcast/hub/room/backplane_connection.h"
 #include "roomcast/hub/room/room.h"
 
 namespace roomcast::hub {
@@ -47,10 +46,10 @@ bool Room::forget_people(const RemotePresence::Change& change) {
   return change.is_news;
 }
 
-/// All viewers, and the backplane's connections, which forward poses to other hubs.
+/// All viewers, and the backplane's aligners.
 std::vector<ConnectionId> Room::readers_of_poses() const {
   std::vector<ConnectionId> connections = viewer_connections();
-  std::ranges::copy_if(aligners_, std::back_inserter(connections), is_of_backplane);
+  std::ranges::copy(backplane_aligners_, std::back_inserter(connections));
   return connections;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
 
-#include "roomcast/hub/room/backplane_connection.h"
 #include "roomcast/hub/room/room_test_fixture.h"
 
 namespace roomcast::hub {
@@ -92,10 +91,7 @@ TEST_F(RoomTest, the_backplane_hears_where_people_are_and_tells_of_those_elsewhe
   pose.mutable_viewer_pose()->mutable_head()->set_x(1);
   (void)room.control(viewer, pose, at(1s));
   (void)room.tick(at(1s));
-  pb::Join join;
-  join.mutable_aligner();
-  const ConnectionId backplane = backplane_connection(1, 1);
-  (void)room.join(backplane, join, {}, at(2s));
+  const auto backplane = enter(aligner_join(), 2s, {.is_backplane = true});
   auto poses = messages(room.tick(at(2s)), pb::Control::kViewerPoses);
   ASSERT_EQ(poses.size(), 1u) << "it has just come and knows of nobody";
   EXPECT_THAT(poses[0].to, testing::Contains(backplane));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Backplane: brings the sensors and people of other hubs into this hub's rooms, and sends other
-// hubs what they request of this one. It acts for each remote sensor like a connection of its own:
-// the sensor's messages enter through BackplaneEvents, and the room's messages to it go to send().
+// hubs what they request of this one. It represents each remote sensor by a Connection: the
+// sensor's messages enter through BackplaneEvents, and the room's messages go to the Connection.
 // Threading: the rooms' thread.
 #pragma once
 
@@ -17,7 +17,7 @@
 #include "roomcast/core/ids.h"
 #include "roomcast/core/result.h"
 #include "roomcast/hub/access/claims.h"
-#include "roomcast/hub/room/backplane_connection.h"
+#include "roomcast/hub/runtime/connection.h"
 #include "roomcast/hub/runtime/session.h"
 
 namespace roomcast::hub {
@@ -72,18 +72,14 @@ class Backplane {
   }
   /// The room's first viewer here has joined, or its last one has left.
   virtual void watch(const std::string& room, bool is_watched) = 0;
-  /// A message of the room to one of the backplane's connections.
-  virtual void send(ConnectionId to, const wire::pb::Control& message) = 0;
-  /// The room has removed this connection.
-  virtual void let_go(ConnectionId connection) = 0;
 };
 
 /// Messages and frames that a backplane brings in.
 class BackplaneEvents : public SessionEvents {
  public:
-  /// Frames of sensors of one room that arrived together. The room takes them in one event:
-  /// it closes sets, and does the other work after an event, once for all. Their messages are moved
-  /// from.
+  /// Frames of sensors of one room at other hubs that arrived together. The room takes them in one
+  /// event: it closes sets, and does the other work after an event, once for all. Their messages
+  /// are moved from.
   virtual void on_frames(std::span<IncomingFrame> together) = 0;
 };
 
@@ -91,7 +87,8 @@ class BackplaneEvents : public SessionEvents {
 struct BackplaneContext {
   boost::asio::io_context& io;
   BackplaneEvents& rooms;
-  std::string token;  // permits joining every room
+  ConnectionIds& connection_ids;  // for the backplane's connections
+  std::string token;              // permits joining every room
   /// Takes the tokens that other hubs report as revoked.
   std::function<void(std::vector<Claims>)> revoke = {};
   /// Requests the revoked tokens; the answer is a call of Backplane::revoked() if there are any.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "roomcast/hub/runtime/control_message.h"
 #include "roomcast/hub/runtime/revoked_message.h"
 
 namespace roomcast::hub {
@@ -46,49 +45,45 @@ RoomRegistry::RoomRegistry(RoomRegistryOptions options, boost::asio::io_context&
 void RoomRegistry::open(const RoomSettings& settings, std::vector<KnownSensor> sensors) {
   Room room(settings, options_.hub_version, options_.recalls_poses);
   room.remember(std::move(sensors));
-  RoomRunner::Context around{
+  RoomRunner::Context context{
       .io = io_,
       .shards = shards_,
       .store_worker = store_worker_,
       .backplane = backplane_,
       .clock = clock_,
-      .complain = [this](const std::string& line) { log(LogLevel::kWarning, line); },
-      .on_removed = [this](const Disconnect& end) { let_go(end); }};
+      .warn = [this](const std::string& line) { log(LogLevel::kWarning, line); },
+      .on_removed = [this](const Disconnect& end) { on_removed(end); }};
   rooms_[settings.name] =
-      std::make_shared<RoomRunner>(RoomId{next_room_id_++}, std::move(room), std::move(around));
+      std::make_shared<RoomRunner>(RoomId{next_room_id_++}, std::move(room), std::move(context));
   if (backplane_ != nullptr) backplane_->room_opened(settings.name);
 }
 
 void RoomRegistry::change(const RoomSettings& settings) {
-  rooms_.at(settings.name)->room().change(settings);
+  rooms_.at(settings.name)->change(settings);
 }
 
 void RoomRegistry::close(const std::string& name) {
   const auto found = rooms_.find(name);
   if (backplane_ != nullptr) backplane_->room_closed(name);
-  for (const ConnectionId client : found->second->room().connections()) {
-    disconnect_client(client, "this room was closed");
-  }
-  found->second->close();
+  found->second->close("this room was closed");
   std::erase_if(dropped_sets_,
                 [id = found->second->id()](const auto& entry) { return entry.first.first == id; });
   rooms_.erase(found);
 }
 
 void RoomRegistry::forget_sensor(const std::string& room, const std::string& sensor) {
-  RoomRunner& hosted = *rooms_.at(room);
-  hosted.apply(hosted.room().forget(sensor, hosted.now()));
+  rooms_.at(room)->forget_sensor(sensor);
 }
 
 const RoomSettings* RoomRegistry::find(const std::string& room) const {
   const auto found = rooms_.find(room);
-  return found == rooms_.end() ? nullptr : &found->second->room().settings();
+  return found == rooms_.end() ? nullptr : &found->second->settings();
 }
 
 std::string RoomRegistry::only_listed_room() const {
   std::string only;
-  for (const auto& [name, hosted] : rooms_) {
-    if (!hosted->room().settings().listed) continue;
+  for (const auto& [name, room] : rooms_) {
+    if (!room->settings().listed) continue;
     if (!only.empty()) return "";
     only = name;
   }
@@ -102,7 +97,7 @@ bool RoomRegistry::may_connect(const std::string& peer) const {
 }
 
 void RoomRegistry::on_join(const ConnectionInfo& connection_info, const pb::Join& join) {
-  clients_[connection_info.from] = {
+  clients_[connection_info.id()] = {
       .address = connection_info.address, .name = join.name(), .role = role_of(join)};
   if (!join.code().empty()) {
     return store_worker_.ask([code = join.code()](HubStore& book) { return book.redeem(code); },
@@ -124,7 +119,7 @@ void RoomRegistry::on_join(const ConnectionInfo& connection_info, const pb::Join
 
 void RoomRegistry::on_checked(const ConnectionInfo& connection_info, const pb::Join& join,
                               const Verdict<NewToken>& shown, bool was_code) {
-  if (!clients_.contains(connection_info.from)) return;  // it has disconnected meanwhile
+  if (!clients_.contains(connection_info.id())) return;  // it has disconnected meanwhile
   if (const Refusal* why = refusal(shown)) return refuse(connection_info, join, *why);
   const auto& [claims, token] = std::get<NewToken>(shown);
   decide(connection_info, join, &claims, was_code ? token : "");
@@ -137,17 +132,18 @@ void RoomRegistry::decide(const ConnectionInfo& connection_info, const pb::Join&
   if (const Refusal* why = refusal(verdict))
     return refuse(connection_info, join, *why, claims == nullptr ? "" : claims->id);
   Entry entry = std::get<Entry>(verdict);
-  if (send_on(connection_info, join, entry.room)) return;
+  if (redirect(connection_info, join, entry.room)) return;
   entry.new_token = new_token;
   if (connection_info.token_id_there) entry.token_id = *connection_info.token_id_there;
   entry.other_hub = connection_info.other_hub;
+  entry.is_backplane = connection_info.is_backplane;
   admit(connection_info, join, entry);
 }
 
 void RoomRegistry::refuse(const ConnectionInfo& connection_info, const pb::Join& join,
                           const Refusal& why, const std::string& token_id) {
   ++refused_joins_;
-  clients_.erase(connection_info.from);
+  clients_.erase(connection_info.id());
   log(LogLevel::kInfo, connection_info.address + " is refused: " + why.sentence,
       {{"event", "refuse"},
        {"room", join.room()},
@@ -157,9 +153,7 @@ void RoomRegistry::refuse(const ConnectionInfo& connection_info, const pb::Join&
        {"token", token_id},
        {"error", pb::ErrorCode_Name(why.code)}});
   count_fault(connection_info.peer, why);
-  if (is_of_backplane(connection_info.from)) return backplane_->let_go(connection_info.from);
-  shards_[Shard::of(connection_info.from, shards_.size())]->disconnect(connection_info.from,
-                                                                       why.code, why.sentence);
+  connection_info.connection->disconnect(why.code, why.sentence);
 }
 
 void RoomRegistry::count_fault(const std::string& peer, const Refusal& why) {
@@ -173,8 +167,8 @@ void RoomRegistry::count_fault(const std::string& peer, const Refusal& why) {
 
 /// Redirects a viewer to a less busy hub, if there is one. A viewer is redirected only once. True:
 /// redirected.
-bool RoomRegistry::send_on(const ConnectionInfo& connection_info, const pb::Join& join,
-                           const std::string& room) {
+bool RoomRegistry::redirect(const ConnectionInfo& connection_info, const pb::Join& join,
+                            const std::string& room) {
   if (backplane_ == nullptr || !join.has_viewer() || join.redirected()) return false;
   const auto urls = backplane_->less_busy_hubs(room);
   if (urls.empty()) return false;
@@ -184,30 +178,26 @@ bool RoomRegistry::send_on(const ConnectionInfo& connection_info, const pb::Join
        {"role", role_of(join)},
        {"name", join.name()},
        {"peer", connection_info.address}});
-  clients_.erase(connection_info.from);
+  clients_.erase(connection_info.id());
   pb::Control others;
   others.mutable_other_hubs()->mutable_urls()->Assign(urls.begin(), urls.end());
-  Shard& shard = *shards_[Shard::of(connection_info.from, shards_.size())];
-  shard.send_control({connection_info.from}, framed_control(others));
-  shard.disconnect(connection_info.from, pb::ERROR_BUSY,
-                   "this hub is busy; the room is at " + urls.front() + ", too");
+  connection_info.connection->send(others);
+  connection_info.connection->disconnect(
+      pb::ERROR_BUSY, "this hub is busy; the room is at " + urls.front() + ", too");
   return true;
 }
 
 void RoomRegistry::admit(const ConnectionInfo& connection_info, const pb::Join& join,
                          const Entry& entry) {
   RoomRunner& room = *rooms_.at(entry.room);
-  Client& client = clients_[connection_info.from];
+  Client& client = clients_[connection_info.id()];
   client.room = &room;
   client.token_id = entry.token_id;
   client.expires_at = entry.expires_at;
   client.relays = join.viewer().relays();
   log_client(described(connection_info, join) + " joins \"" + entry.room + "\"", client, "join");
-  if (backplane_ != nullptr && join.has_sensor() && !is_of_backplane(connection_info.from)) {
-    backplane_->sensor_joins(entry.room, join.name(), entry.token_id);
-  }
-  room.apply(room.room().join(connection_info.from, join, entry, room.now()));
-  if (join.viewer().relays()) send_revoked_to_new_hub(connection_info.from);
+  room.join(connection_info.connection, join, entry);
+  if (join.viewer().relays()) send_revoked_to_new_hub(connection_info.id());
   if (join.has_sensor() && options_.on_in_use && in_use_.insert(room.id()).second) {
     options_.on_in_use(entry.room);
   }
@@ -217,7 +207,7 @@ void RoomRegistry::admit(const ConnectionInfo& connection_info, const pb::Join& 
 void RoomRegistry::send_revoked_to_new_hub(ConnectionId hub) {
   store_worker_.ask([](HubStore& book) { return book.revoked(); },
                     [this, hub](const Result<std::vector<Claims>>& revoked) {
-                      if (revoked && room_of(hub) != nullptr) tell_hub_behind(hub, *revoked);
+                      if (revoked && room_of(hub) != nullptr) send_revoked_to_hub(hub, *revoked);
                     });
 }
 
@@ -229,33 +219,20 @@ RoomRunner* RoomRegistry::room_of(ConnectionId from) const {
 }
 
 void RoomRegistry::on_control(ConnectionId from, const pb::Control& message) {
-  if (RoomRunner* room = room_of(from)) {
-    room->apply(room->room().control(from, message, room->now()));
-  }
+  if (RoomRunner* room = room_of(from)) room->control(from, message);
 }
 
 void RoomRegistry::on_frame(ConnectionId from, const wire::FrameHeader& header,
                             net::MessageBuffer message) {
-  RoomRunner* room = room_of(from);
-  if (room == nullptr) return;
-  if (backplane_ != nullptr && !is_of_backplane(from) &&
-      !room->room().fault_of(from, header, room->now())) {
-    backplane_->frame(room->room().name(), header, message.payload());
-  }
-  room->apply(room->room().frame(from, header, std::move(message), room->now()));
+  if (RoomRunner* room = room_of(from)) room->frame(from, header, std::move(message));
 }
 
 void RoomRegistry::on_frames(std::span<IncomingFrame> together) {
-  RoomRunner* room = room_of(together.front().from);
-  if (room != nullptr) room->apply(room->room().frames(together, room->now()));
+  if (RoomRunner* room = room_of(together.front().from)) room->frames(together);
 }
 
 void RoomRegistry::on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) {
-  RoomRunner* room = room_of(from);
-  if (room == nullptr) return;
-  for (const SensorId sensor : sensors) {
-    room->apply(room->room().key_needed(sensor, room->now()));
-  }
+  if (RoomRunner* room = room_of(from)) room->request_keys(sensors);
 }
 
 void RoomRegistry::on_left(ConnectionId from, const net::CloseReason& reason) {
@@ -264,14 +241,14 @@ void RoomRegistry::on_left(ConnectionId from, const net::CloseReason& reason) {
   log_client(client->second.address + " has left: " + reason.sentence, client->second, "leave");
   RoomRunner* room = client->second.room;
   clients_.erase(client);
-  if (room != nullptr) room->apply(room->room().leave(from, room->now()));
+  if (room != nullptr) room->leave(from);
 }
 
 void RoomRegistry::log_client(const std::string& line, const Client& client, std::string_view event,
                               std::string_view error) const {
   log(LogLevel::kInfo, line,
       {{"event", event},
-       {"room", client.room == nullptr ? std::string_view() : client.room->room().name()},
+       {"room", client.room == nullptr ? std::string_view() : client.room->name()},
        {"role", client.role},
        {"name", client.name},
        {"peer", client.address},
@@ -282,11 +259,11 @@ void RoomRegistry::log_client(const std::string& line, const Client& client, std
 // ---- disconnecting
 
 /// A room removed the client, by itself or through disconnect_client().
-void RoomRegistry::let_go(const Disconnect& end) {
+void RoomRegistry::on_removed(const Disconnect& end) {
   const auto client = clients_.find(end.connection);
   if (client == clients_.end()) return;
-  log_client(client->second.address + " is sent away: " + end.sentence, client->second,
-             "send_away", pb::ErrorCode_Name(end.code));
+  log_client(client->second.address + " is sent away: " + end.sentence, client->second, "send_away",
+             pb::ErrorCode_Name(end.code));
   clients_.erase(client);
 }
 
@@ -307,14 +284,13 @@ void RoomRegistry::send_revoked() {
 
 void RoomRegistry::send_revoked_to_downstream(const std::vector<Claims>& revoked) {
   for (const auto& [connection, client] : clients_) {
-    if (client.room != nullptr && client.relays) tell_hub_behind(connection, revoked);
+    if (client.room != nullptr && client.relays) send_revoked_to_hub(connection, revoked);
   }
 }
 
-void RoomRegistry::tell_hub_behind(ConnectionId hub, const std::vector<Claims>& revoked) {
-  for (const pb::Control& message : revoked_messages(revoked, room_of(hub)->room().name())) {
-    shards_[Shard::of(hub, shards_.size())]->send_control({hub}, framed_control(message));
-  }
+void RoomRegistry::send_revoked_to_hub(ConnectionId hub, const std::vector<Claims>& revoked) {
+  const RoomRunner& room = *room_of(hub);
+  for (const pb::Control& message : revoked_messages(revoked, room.name())) room.send(hub, message);
 }
 
 void RoomRegistry::take_revoked(std::vector<Claims> tokens) {

@@ -123,9 +123,9 @@ class RoomRegistry final : public BackplaneEvents {
               const Claims* claims, const std::string& new_token);
   void refuse(const ConnectionInfo& connection_info, const wire::pb::Join& join, const Refusal& why,
               const std::string& token_id = "");
-  void let_go(const Disconnect& end);
-  bool send_on(const ConnectionInfo& connection_info, const wire::pb::Join& join,
-               const std::string& room);
+  void on_removed(const Disconnect& end);
+  bool redirect(const ConnectionInfo& connection_info, const wire::pb::Join& join,
+                const std::string& room);
   void admit(const ConnectionInfo& connection_info, const wire::pb::Join& join, const Entry& entry);
   [[nodiscard]] RoomRunner* room_of(ConnectionId from) const;
   [[nodiscard]] std::string only_listed_room() const;
@@ -133,7 +133,7 @@ class RoomRegistry final : public BackplaneEvents {
 
   void send_revoked_to_new_hub(ConnectionId hub);
   void send_revoked_to_downstream(const std::vector<Claims>& revoked);
-  void tell_hub_behind(ConnectionId hub, const std::vector<Claims>& revoked);
+  void send_revoked_to_hub(ConnectionId hub, const std::vector<Claims>& revoked);
 
   void schedule_periodic_tasks();
   void run_periodic_tasks();

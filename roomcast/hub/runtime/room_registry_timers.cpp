@@ -65,8 +65,8 @@ void RoomRegistry::end_expired() {
 
 void RoomRegistry::measure_sensors() {
   const HostTime now = clock_.now();
-  for (const auto& [name, hosted] : rooms_) {
-    for (const SensorStats& sensor : hosted->room().stats().sensors) {
+  for (const auto& [name, room] : rooms_) {
+    for (const SensorStats& sensor : room->stats().sensors) {
       if (!sensor.online) continue;
       sensor_bytes_.look(sensor.connection, sensor.bytes, now);
       sensor_frames_.look(sensor.connection, sensor.frames, now);
@@ -95,7 +95,7 @@ std::string RoomRegistry::address_of(ConnectionId client) const {
 
 std::vector<RoomStats> RoomRegistry::stats() const {
   std::vector<RoomStats> all;
-  for (const auto& [name, hosted] : rooms_) all.push_back(stats_of(*hosted));
+  for (const auto& [name, room] : rooms_) all.push_back(stats_of(*room));
   return all;
 }
 
@@ -105,8 +105,8 @@ std::optional<RoomStats> RoomRegistry::stats(const std::string& room) const {
   return stats_of(*found->second);
 }
 
-RoomStats RoomRegistry::stats_of(const RoomRunner& hosted) const {
-  RoomStats stats = hosted.room().stats();
+RoomStats RoomRegistry::stats_of(const RoomRunner& room) const {
+  RoomStats stats = room.stats();
   for (SensorStats& sensor : stats.sensors) {
     if (!sensor.online) continue;
     sensor.frames_per_s = sensor_frames_.per_s(sensor.connection);
@@ -120,7 +120,7 @@ RoomStats RoomRegistry::stats_of(const RoomRunner& hosted) const {
     viewer.bytes_per_s = viewer_bytes_.per_s(viewer.connection);
   }
   for (std::size_t shard = 0; shard < shards_.size(); ++shard) {
-    const auto dropped = dropped_sets_.find({hosted.id(), shard});
+    const auto dropped = dropped_sets_.find({room.id(), shard});
     if (dropped != dropped_sets_.end()) stats.dropped_sets += dropped->second;
   }
   return stats;

@@ -3,84 +3,62 @@
 
 #include <utility>
 
-#include "roomcast/hub/runtime/control_message.h"
-
 namespace roomcast::hub {
 
-RoomRunner::RoomRunner(RoomId id, Room room, Context around)
-    : id_(id), room_(std::move(room)), context_(std::move(around)), timer_(context_.io) {}
+RoomRunner::RoomRunner(RoomId id, Room room, Context context)
+    : id_(id), room_(std::move(room)), context_(std::move(context)), timer_(context_.io) {}
 
-void RoomRunner::apply(RoomActions actions) {
-  for (const RoomAction& action : actions) {
-    std::visit([this](const auto& a) { apply(a); }, action);
+// ---- events
+
+void RoomRunner::join(const ConnectionPtr& client, const wire::pb::Join& join, const Entry& entry) {
+  connections_[client->id()] = client;
+  if (context_.backplane != nullptr && join.has_sensor() && !entry.is_backplane) {
+    context_.backplane->sensor_joins(name(), join.name(), entry.token_id);
   }
-  schedule_tick();
-  notify_backplane();
+  apply(room_.join(client->id(), join, entry, now()));
 }
 
-void RoomRunner::notify_backplane() {
-  if (context_.backplane == nullptr) return;
-  const std::uint64_t sets = room_.closed_set_count();
-  if (std::exchange(closed_sets_, sets) != sets) context_.backplane->set_closed(room_.name());
-  const bool is_watched = room_.viewer_count() > 0;
-  if (is_watched == is_watched_) return;
-  is_watched_ = is_watched;
-  context_.backplane->watch(room_.name(), is_watched);
+void RoomRunner::leave(ConnectionId from) {
+  connections_.erase(from);
+  apply(room_.leave(from, now()));
 }
 
-void RoomRunner::apply(const SendControl& action) {
-  const auto message = framed_control(action.message);
-  std::vector<std::vector<ConnectionId>> to(context_.shards.size());
-  for (const ConnectionId connection : action.to) {
-    if (is_of_backplane(connection)) {
-      context_.backplane->send(connection, action.message);
-      continue;
-    }
-    to[Shard::of(connection, to.size())].push_back(connection);
+void RoomRunner::control(ConnectionId from, const wire::pb::Control& message) {
+  apply(room_.control(from, message, now()));
+}
+
+void RoomRunner::frame(ConnectionId from, const wire::FrameHeader& header,
+                       net::MessageBuffer message) {
+  if (context_.backplane != nullptr && !room_.fault_of(from, header, now())) {
+    context_.backplane->frame(name(), header, message.payload());
   }
-  for (std::size_t i = 0; i < to.size(); ++i) {
-    if (!to[i].empty()) context_.shards[i]->send_control(std::move(to[i]), message);
-  }
+  apply(room_.frame(from, header, std::move(message), now()));
 }
 
-void RoomRunner::apply(const SendSet& action) {
-  for (const auto& shard : context_.shards) shard->send_set(id_, action.set);
+void RoomRunner::frames(std::span<IncomingFrame> together) {
+  apply(room_.frames(together, now()));
 }
 
-void RoomRunner::apply(const RestartSensor& action) {
-  for (const auto& shard : context_.shards) shard->restart_sensor(id_, action.sensor);
+void RoomRunner::request_keys(const std::vector<SensorId>& sensors) {
+  for (const SensorId sensor : sensors) apply(room_.key_needed(sensor, now()));
 }
 
-void RoomRunner::apply(const AcceptConnection& action) {
-  if (is_of_backplane(action.connection)) return;  // the Welcome that follows tells the backplane
-  shard_of(action.connection).accept(action.connection, action.role, id_);
+void RoomRunner::forget_sensor(const std::string& sensor) {
+  apply(room_.forget(sensor, now()));
 }
 
-void RoomRunner::apply(const Disconnect& action) {
-  if (is_of_backplane(action.connection)) {
-    context_.backplane->let_go(action.connection);
-  } else {
-    shard_of(action.connection).disconnect(action.connection, action.code, action.sentence);
-  }
-  context_.on_removed(action);
-}
-
-void RoomRunner::apply(const SaveSensors& action) {
-  context_.store_worker.ask([room = room_.name(), sensors = action.sensors](
-                                HubStore& book) { return book.sensors().save(room, sensors); },
-                            [complain = context_.complain](const Status& status) {
-                              if (!status) complain(status.error().message);
-                            });
-}
-
-void RoomRunner::disconnect_client(ConnectionId connection, wire::pb::ErrorCode code,
+void RoomRunner::disconnect_client(ConnectionId client, wire::pb::ErrorCode code,
                                    const std::string& sentence) {
-  RoomActions actions = room_.leave(connection, now());
-  actions.push_back(Disconnect{connection, code, sentence});
-  apply(std::move(actions));
+  if (!connections_.contains(client)) return;
+  RoomActions actions = room_.leave(client, now());
+  actions.push_back(Disconnect{client, code, sentence});
+  apply(actions);
 }
 
-void RoomRunner::close() {
+void RoomRunner::close(const std::string& sentence) {
+  for (const ConnectionId client : room_.connections()) {
+    disconnect_client(client, wire::pb::ERROR_NOT_ALLOWED, sentence);
+  }
   timer_.cancel();
   for (const auto& shard : context_.shards) shard->forget(id_);
 }
@@ -97,6 +75,74 @@ void RoomRunner::schedule_tick() {
     self->armed_for_.reset();
     self->apply(self->room_.tick(self->now()));
   });
+}
+
+// ---- actions
+
+void RoomRunner::apply(const RoomActions& actions) {
+  for (const RoomAction& action : actions) {
+    std::visit([this](const auto& a) { apply(a); }, action);
+  }
+  schedule_tick();
+  notify_backplane();
+}
+
+void RoomRunner::notify_backplane() {
+  if (context_.backplane == nullptr) return;
+  const std::uint64_t sets = room_.closed_set_count();
+  if (std::exchange(closed_sets_, sets) != sets) context_.backplane->set_closed(name());
+  const bool is_watched = room_.viewer_count() > 0;
+  if (is_watched == is_watched_) return;
+  is_watched_ = is_watched;
+  context_.backplane->watch(name(), is_watched);
+}
+
+/// Returns a share in the connection: a call of it may make it leave the room. Null: it has left.
+ConnectionPtr RoomRunner::find(ConnectionId connection) const {
+  const auto found = connections_.find(connection);
+  return found == connections_.end() ? nullptr : found->second;
+}
+
+void RoomRunner::apply(const SendControl& action) {
+  ControlFanOut control(action.message);
+  for (const ConnectionId to : action.to) {
+    if (const ConnectionPtr connection = find(to)) connection->deliver(control);
+  }
+  control.send();
+}
+
+void RoomRunner::apply(const SendSet& action) {
+  for (const auto& shard : context_.shards) shard->send_set(id_, action.set);
+}
+
+void RoomRunner::apply(const RestartSensor& action) {
+  for (const auto& shard : context_.shards) shard->restart_sensor(id_, action.sensor);
+}
+
+void RoomRunner::apply(const AcceptConnection& action) {
+  if (const ConnectionPtr connection = find(action.connection)) {
+    connection->accept(action.role, id_);
+  }
+}
+
+void RoomRunner::apply(const Disconnect& action) {
+  if (const ConnectionPtr connection = find(action.connection)) {
+    connections_.erase(action.connection);
+    connection->disconnect(action.code, action.sentence);
+  }
+  context_.on_removed(action);
+}
+
+void RoomRunner::apply(const SaveSensors& action) {
+  context_.store_worker.ask([room = name(), sensors = action.sensors](
+                                HubStore& store) { return store.sensors().save(room, sensors); },
+                            [warn = context_.warn](const Status& status) {
+                              if (!status) warn(status.error().message);
+                            });
+}
+
+void RoomRunner::send(ConnectionId to, const wire::pb::Control& message) const {
+  if (const ConnectionPtr connection = find(to)) connection->send(message);
 }
 
 }  // namespace roomcast::hub

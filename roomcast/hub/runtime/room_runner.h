@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomRunner: one room of a running hub: its state and its timer. Carries out the room's actions.
-// Threading: the rooms' thread.
+// RoomRunner: one room of a running hub: its state, its connections and its timer. It takes the
+// room's events and carries out the actions that the room returns. Threading: the rooms' thread.
 #pragma once
 
 #include <functional>
@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include <boost/asio/steady_timer.hpp>
@@ -16,6 +17,7 @@
 #include "roomcast/core/ids.h"
 #include "roomcast/hub/room/room.h"
 #include "roomcast/hub/runtime/backplane.h"
+#include "roomcast/hub/runtime/connection.h"
 #include "roomcast/hub/runtime/shard.h"
 #include "roomcast/hub/store/store_worker.h"
 
@@ -30,28 +32,47 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
     StoreWorker& store_worker;
     Backplane* backplane;  // null: there are no other hubs
     const Clock& clock;
-    std::function<void(const std::string&)> complain;
+    std::function<void(const std::string&)> warn;
     std::function<void(const Disconnect&)> on_removed;  // the room has removed this connection
   };
 
-  RoomRunner(RoomId id, Room room, Context around);
+  RoomRunner(RoomId id, Room room, Context context);
 
-  [[nodiscard]] Room& room() { return room_; }
-  [[nodiscard]] const Room& room() const { return room_; }
-  [[nodiscard]] RoomId id() const { return id_; }
-  [[nodiscard]] RoomTime now() const { return RoomTime(context_.clock.now().time_since_epoch()); }
+  // Events; see Room.
 
-  /// Carries out the actions that an event of the room returned.
-  void apply(RoomActions actions);
+  /// A client was admitted with the permissions in `entry`.
+  void join(const ConnectionPtr& client, const wire::pb::Join& join, const Entry& entry);
+  /// A connection has closed.
+  void leave(ConnectionId from);
+  void control(ConnectionId from, const wire::pb::Control& message);
+  /// A frame of a sensor that is connected to this hub. If the room accepts it, the other hubs get
+  /// it, too.
+  void frame(ConnectionId from, const wire::FrameHeader& header, net::MessageBuffer message);
+  /// Frames of sensors at other hubs that arrived together. Their messages are moved from.
+  void frames(std::span<IncomingFrame> together);
+  /// Frames of these sensors were dropped for a viewer, or for viewers of another hub.
+  void request_keys(const std::vector<SensorId>& sensors);
+  void forget_sensor(const std::string& sensor);
 
-  /// Removes a client that is in the room, and disconnects it.
-  void disconnect_client(ConnectionId connection, wire::pb::ErrorCode code,
+  /// Applies to clients that join from now on. The name stays the same.
+  void change(RoomSettings settings) { room_.change(std::move(settings)); }
+  /// Sends a message of the hub to a client; no effect if it has left.
+  void send(ConnectionId to, const wire::pb::Control& message) const;
+  /// Removes a client from the room and disconnects it; no effect if it has left.
+  void disconnect_client(ConnectionId client, wire::pb::ErrorCode code,
                          const std::string& sentence);
+  /// Disconnects all clients, stops the timer and removes the room from the shards.
+  void close(const std::string& sentence);
 
-  /// Stops the timer and removes the room from the shards. All clients must have left.
-  void close();
+  [[nodiscard]] RoomId id() const { return id_; }
+  [[nodiscard]] const std::string& name() const { return room_.name(); }
+  [[nodiscard]] const RoomSettings& settings() const { return room_.settings(); }
+  [[nodiscard]] RoomStats stats() const { return room_.stats(); }
 
  private:
+  [[nodiscard]] RoomTime now() const { return RoomTime(context_.clock.now().time_since_epoch()); }
+  [[nodiscard]] ConnectionPtr find(ConnectionId connection) const;
+  void apply(const RoomActions& actions);
   void apply(const SendControl& action);
   void apply(const SendSet& action);
   void apply(const RestartSensor& action);
@@ -60,13 +81,11 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
   void apply(const SaveSensors& action);
   void notify_backplane();
   void schedule_tick();
-  [[nodiscard]] Shard& shard_of(ConnectionId connection) const {
-    return *context_.shards[Shard::of(connection, context_.shards.size())];
-  }
 
   const RoomId id_;
   Room room_;
   const Context context_;
+  std::unordered_map<ConnectionId, ConnectionPtr> connections_;
   boost::asio::steady_timer timer_;
   std::optional<RoomTime> armed_for_;  // the time for which timer_ is set
   bool is_watched_ = false;            // as last reported to the backplane

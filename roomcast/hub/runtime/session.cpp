@@ -54,9 +54,13 @@ const wire::SendingLimits& SessionLimits::of(Role role) const {
   return viewer;
 }
 
-Session::Session(ConnectionId id, net::WebSocketConnection& connection, SessionEvents& hub,
+Session::Session(ConnectionPtr in_room, net::WebSocketConnection& connection, SessionEvents& hub,
                  const Clock& clock, const SessionLimits& limits)
-    : id_(id), connection_(connection), hub_(hub), clock_(clock), limits_(limits) {
+    : in_room_(std::move(in_room)),
+      connection_(connection),
+      hub_(hub),
+      clock_(clock),
+      limits_(limits) {
   limit(limits_.viewer);
 }
 
@@ -83,7 +87,7 @@ void Session::take_frame(net::MessageBuffer message) {
   }
   const auto header = wire::parse_frame(message.payload());
   if (!header) return refuse(header.error());
-  hub_.on_frame(id_, *header, std::move(message));
+  hub_.on_frame(id(), *header, std::move(message));
 }
 
 void Session::take_control(std::span<const std::uint8_t> message) {
@@ -96,10 +100,10 @@ void Session::take_control(std::span<const std::uint8_t> message) {
                                                 : "the first message of a connection is Join");
   }
   if (control->has_clock_ping()) return answer_clock_ping(control->clock_ping());
-  if (!control->has_join()) return hub_.on_control(id_, *control);
+  if (!control->has_join()) return hub_.on_control(id(), *control);
   has_joined_ = true;
   is_sensor_ = control->join().has_sensor();
-  hub_.on_join({id_, connection_.peer_address(), connection_.peer()}, control->join());
+  hub_.on_join({in_room_, connection_.peer_address(), connection_.peer()}, control->join());
 }
 
 // Answers at once, on the shard's thread, because any delay of the answer makes the client's clock
@@ -117,12 +121,12 @@ void Session::answer_clock_ping(const wire::pb::ClockPing& ping) {
 net::FramedMessagePtr Session::next_message() {
   auto message = send_queue_.next();
   if (auto sensors = send_queue_.take_key_needs(); !sensors.empty())
-    hub_.on_key_needs(id_, sensors);
+    hub_.on_key_needs(id(), sensors);
   return message;
 }
 
 void Session::on_closed(const net::CloseReason& reason) {
-  hub_.on_left(id_, reason);
+  hub_.on_left(id(), reason);
 }
 
 void Session::accept(Role role) {

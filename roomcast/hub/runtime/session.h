@@ -13,6 +13,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/hub/access/rate_limit.h"
 #include "roomcast/hub/room/room_action.h"
+#include "roomcast/hub/runtime/connection.h"
 #include "roomcast/hub/runtime/send_queue.h"
 #include "roomcast/net/websocket_connection.h"
 #include "roomcast/wire/control.pb.h"
@@ -23,13 +24,16 @@ namespace roomcast::hub {
 
 /// A connection that asks to join.
 struct ConnectionInfo {
-  ConnectionId from;
+  ConnectionPtr connection;
   std::string address;  // "192.0.2.7:50312"
   std::string peer;     // for counting and banning
   /// For a sensor that a backplane represents: the ID of the token that it presented to its own
   /// hub.
   std::optional<std::string> token_id_there = {};
   std::uint64_t other_hub = 0;  // the hub to which the sensor is connected; 0: this hub
+  bool is_backplane = false;    // a backplane's, which represents sensors or people of other hubs
+
+  [[nodiscard]] ConnectionId id() const { return connection->id(); }
 };
 
 /// Events of sessions: a session reports them to its shard, and the shard to the room.
@@ -59,8 +63,8 @@ struct SessionLimits {
 
 class Session final : public net::ConnectionHandler {
  public:
-  /// `connection` must be valid until on_closed().
-  Session(ConnectionId id, net::WebSocketConnection& connection, SessionEvents& hub,
+  /// `in_room`: this session as its room sees it. `connection` must be valid until on_closed().
+  Session(ConnectionPtr in_room, net::WebSocketConnection& connection, SessionEvents& hub,
           const Clock& clock, const SessionLimits& limits = {});
 
   void on_message(net::MessageBuffer message) override;
@@ -70,7 +74,7 @@ class Session final : public net::ConnectionHandler {
   /// The room has accepted the connection in this role.
   void accept(Role role);
   [[nodiscard]] std::uint64_t bytes_out() const { return connection_.counters().bytes_out; }
-  [[nodiscard]] ConnectionId id() const { return id_; }
+  [[nodiscard]] ConnectionId id() const { return in_room_->id(); }
   [[nodiscard]] bool is_accepted() const { return is_accepted_; }
   /// A Join has arrived.
   [[nodiscard]] bool has_joined() const { return has_joined_; }
@@ -91,7 +95,7 @@ class Session final : public net::ConnectionHandler {
   void refuse(const Error& error);
   void limit(const wire::SendingLimits& limits);
 
-  const ConnectionId id_;
+  const ConnectionPtr in_room_;
   net::WebSocketConnection& connection_;
   SessionEvents& hub_;
   const Clock& clock_;

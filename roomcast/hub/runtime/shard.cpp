@@ -13,27 +13,43 @@ namespace roomcast::hub {
 
 namespace asio = boost::asio;
 
-Shard::Shard(Place place, SessionEvents& room, UnjoinedCount& unjoined, ShardLimits limits)
-    : place_(place),
-      room_(room),
-      unjoined_(unjoined),
-      limits_(limits),
-      next_connection_(place.count + place.index) {}
+namespace {
+
+/// A session, reached through its shard.
+class SessionConnection final : public Connection {
+ public:
+  SessionConnection(ConnectionId id, Shard& shard) : Connection(id), shard_(shard) {}
+
+  void accept(Role role, RoomId room) override { shard_.accept(id(), role, room); }
+  void deliver(ControlFanOut& control) override { control.add(shard_, id()); }
+  void disconnect(wire::pb::ErrorCode code, const std::string& sentence) override {
+    shard_.disconnect(id(), code, sentence);
+  }
+
+ private:
+  Shard& shard_;
+};
+
+}  // namespace
+
+Shard::Shard(Loops loops, SessionEvents& room, ConnectionIds& ids, UnjoinedCount& unjoined,
+             ShardLimits limits)
+    : loops_(loops), room_(room), ids_(ids), unjoined_(unjoined), limits_(limits) {}
 
 std::shared_ptr<net::ConnectionHandler> Shard::welcome(
     const std::shared_ptr<net::WebSocketConnection>& connection) {
   if (unjoined_ >= limits_.max_unjoined) return nullptr;
   ++unjoined_;
-  const ConnectionId id{next_connection_};
-  next_connection_ += place_.count;
-  auto session = std::make_shared<Session>(id, *connection, *this, clock_, limits_.session);
+  const ConnectionId id = ids_.next();
+  auto session = std::make_shared<Session>(std::make_shared<SessionConnection>(id, *this),
+                                           *connection, *this, clock_, limits_.session);
   sessions_[id] = session;
   expect_join(id);
   return session;
 }
 
 void Shard::expect_join(ConnectionId id) {
-  auto deadline = std::make_shared<asio::steady_timer>(place_.io, limits_.join_within);
+  auto deadline = std::make_shared<asio::steady_timer>(loops_.io, limits_.join_within);
   deadline->async_wait([this, id, deadline](boost::system::error_code error) {
     Session* session = find(id);
     if (error || session == nullptr || session->has_joined()) return;
@@ -49,7 +65,7 @@ Session* Shard::find(ConnectionId id) const {
 // ---- actions from the room
 
 void Shard::accept(ConnectionId connection, Role role, RoomId room) {
-  asio::dispatch(place_.io, [this, connection, role, room] {
+  asio::dispatch(loops_.io, [this, connection, role, room] {
     Session* session = find(connection);
     if (session == nullptr) return;
     session->accept(role);
@@ -59,7 +75,7 @@ void Shard::accept(ConnectionId connection, Role role, RoomId room) {
 }
 
 void Shard::send_control(std::vector<ConnectionId> to, net::FramedMessagePtr message) {
-  asio::dispatch(place_.io, [this, to = std::move(to), message = std::move(message)] {
+  asio::dispatch(loops_.io, [this, to = std::move(to), message = std::move(message)] {
     for (const ConnectionId connection : to) {
       Session* session = find(connection);
       if (session == nullptr || session->send_control(message)) continue;
@@ -69,7 +85,7 @@ void Shard::send_control(std::vector<ConnectionId> to, net::FramedMessagePtr mes
 }
 
 void Shard::send_set(RoomId room, FrameSetPtr set) {
-  asio::dispatch(place_.io, [this, room, set = std::move(set)] {
+  asio::dispatch(loops_.io, [this, room, set = std::move(set)] {
     const auto found = viewers_.find(room);
     if (found == viewers_.end()) return;
     std::uint64_t dropped = 0;
@@ -83,7 +99,7 @@ void Shard::send_set(RoomId room, FrameSetPtr set) {
 }
 
 void Shard::restart_sensor(RoomId room, SensorId sensor) {
-  asio::dispatch(place_.io, [this, room, sensor] {
+  asio::dispatch(loops_.io, [this, room, sensor] {
     const auto found = viewers_.find(room);
     if (found == viewers_.end()) return;
     for (Session* viewer : found->second.sessions) viewer->restart_sensor(sensor);
@@ -91,11 +107,11 @@ void Shard::restart_sensor(RoomId room, SensorId sensor) {
 }
 
 void Shard::forget(RoomId room) {
-  asio::dispatch(place_.io, [this, room] { viewers_.erase(room); });
+  asio::dispatch(loops_.io, [this, room] { viewers_.erase(room); });
 }
 
 void Shard::report_traffic(std::function<void(ShardTraffic)> to) {
-  asio::dispatch(place_.io, [this, to = std::move(to)] {
+  asio::dispatch(loops_.io, [this, to = std::move(to)] {
     ShardTraffic traffic;
     for (const auto& [room, viewers] : viewers_) {
       traffic.rooms.push_back({room, viewers.dropped_sets});
@@ -103,13 +119,13 @@ void Shard::report_traffic(std::function<void(ShardTraffic)> to) {
         traffic.viewers.push_back({viewer->id(), viewer->bytes_out(), viewer->dropped_sets()});
       }
     }
-    asio::dispatch(place_.room_io,
+    asio::dispatch(loops_.room_io,
                    [to, traffic = std::move(traffic)]() mutable { to(std::move(traffic)); });
   });
 }
 
 void Shard::disconnect(ConnectionId connection, wire::pb::ErrorCode code, std::string sentence) {
-  asio::dispatch(place_.io, [this, connection, code, sentence = std::move(sentence)] {
+  asio::dispatch(loops_.io, [this, connection, code, sentence = std::move(sentence)] {
     if (Session* session = find(connection)) session->disconnect(code, sentence);
   });
 }
@@ -117,23 +133,23 @@ void Shard::disconnect(ConnectionId connection, wire::pb::ErrorCode code, std::s
 // ---- events to the room
 
 void Shard::on_join(const ConnectionInfo& connection_info, const wire::pb::Join& join) {
-  asio::dispatch(place_.room_io,
+  asio::dispatch(loops_.room_io,
                  [this, connection_info, join] { room_.on_join(connection_info, join); });
 }
 
 void Shard::on_control(ConnectionId from, const wire::pb::Control& message) {
-  asio::dispatch(place_.room_io, [this, from, message] { room_.on_control(from, message); });
+  asio::dispatch(loops_.room_io, [this, from, message] { room_.on_control(from, message); });
 }
 
 void Shard::on_frame(ConnectionId from, const wire::FrameHeader& header,
                      net::MessageBuffer message) {
-  asio::dispatch(place_.room_io, [this, from, header, message = std::move(message)]() mutable {
+  asio::dispatch(loops_.room_io, [this, from, header, message = std::move(message)]() mutable {
     room_.on_frame(from, header, std::move(message));
   });
 }
 
 void Shard::on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) {
-  asio::dispatch(place_.room_io, [this, from, sensors] { room_.on_key_needs(from, sensors); });
+  asio::dispatch(loops_.room_io, [this, from, sensors] { room_.on_key_needs(from, sensors); });
 }
 
 void Shard::on_left(ConnectionId from, const net::CloseReason& reason) {
@@ -141,7 +157,7 @@ void Shard::on_left(ConnectionId from, const net::CloseReason& reason) {
   if (!found->second->is_accepted()) --unjoined_;
   for (auto& [room, viewers] : viewers_) std::erase(viewers.sessions, found->second.get());
   sessions_.erase(found);
-  asio::dispatch(place_.room_io, [this, from, reason] { room_.on_left(from, reason); });
+  asio::dispatch(loops_.room_io, [this, from, reason] { room_.on_left(from, reason); });
 }
 
 }  // namespace roomcast::hub

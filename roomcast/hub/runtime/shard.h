@@ -21,6 +21,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/core/log.h"
 #include "roomcast/hub/room/room_action.h"
+#include "roomcast/hub/runtime/connection.h"
 #include "roomcast/hub/runtime/session.h"
 
 namespace roomcast::hub {
@@ -51,23 +52,19 @@ struct ShardTraffic {
 
 class Shard final : public SessionEvents {
  public:
-  struct Place {
-    std::size_t index = 0, count = 1;  // the shard's index and the number of shards
+  struct Loops {
     boost::asio::io_context& io;
     boost::asio::io_context& room_io;  // may be the same as `io`
   };
 
-  /// `room` gets all events, on the thread that runs `room_io`.
-  Shard(Place place, SessionEvents& room, UnjoinedCount& unjoined, ShardLimits limits = {});
+  /// `room` gets all events, on the thread that runs `room_io`. All shards share `ids` and
+  /// `unjoined`.
+  Shard(Loops loops, SessionEvents& room, ConnectionIds& ids, UnjoinedCount& unjoined,
+        ShardLimits limits = {});
 
   /// Adds a new connection; null: too many connections have not joined.
   std::shared_ptr<net::ConnectionHandler> welcome(
       const std::shared_ptr<net::WebSocketConnection>& connection);
-
-  /// The index of the shard, of `count`, that has this connection.
-  [[nodiscard]] static std::size_t of(ConnectionId connection, std::size_t count) {
-    return connection.value % count;
-  }
 
   // Any thread. Calls for a connection that has closed have no effect.
   void accept(ConnectionId connection, Role role, RoomId room);
@@ -97,11 +94,11 @@ class Shard final : public SessionEvents {
   void expect_join(ConnectionId id);
   [[nodiscard]] Session* find(ConnectionId id) const;
 
-  const Place place_;
+  const Loops loops_;
   SessionEvents& room_;
+  ConnectionIds& ids_;
   UnjoinedCount& unjoined_;
   const ShardLimits limits_;
-  std::uint64_t next_connection_;
   SteadyClock clock_;
   std::unordered_map<ConnectionId, std::shared_ptr<Session>> sessions_;
   std::unordered_map<RoomId, Viewers> viewers_;  // the sessions_ that get frame sets

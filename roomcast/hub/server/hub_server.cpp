@@ -66,6 +66,7 @@ class HubServer::Loop {
 
   HubOptions options_;
   const std::string own_token_;
+  ConnectionIds connection_ids_;
   UnjoinedCount unjoined_ = 0;
   // One per thread; the first is the rooms'.
   std::vector<std::unique_ptr<asio::io_context>> loops_;
@@ -95,7 +96,7 @@ HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubStore> book,
       io(), *store_worker_, shards_);
   for (std::size_t i = 0; i < count; ++i) {
     shards_.push_back(std::make_unique<Shard>(
-        Shard::Place{i, count, *loops_[i], io()}, *registry_, unjoined_,
+        Shard::Loops{*loops_[i], io()}, *registry_, connection_ids_, unjoined_,
         ShardLimits{options_.join_within, options_.limits.max_unjoined, options_.limits.session}));
   }
   pages_ = std::make_unique<HubPages>(std::move(site), *registry_, *store_worker_, io(),
@@ -122,6 +123,7 @@ Status HubServer::Loop::open_backplane() {
   auto opened = options_.open_backplane(
       {.io = io(),
        .rooms = *registry_,
+       .connection_ids = connection_ids_,
        .token = own_token_,
        .revoke = [this](std::vector<Claims> tokens) { registry_->take_revoked(std::move(tokens)); },
        .send_revoked = [this] { registry_->send_revoked(); },

@@ -22,8 +22,8 @@ std::vector<std::uint8_t> bytes_of(const Message& message) {
 }  // namespace
 
 Result<std::unique_ptr<ClusterHub>> ClusterHub::open(ClusterOptions options,
-                                                     hub::BackplaneContext seat) {
-  std::unique_ptr<ClusterHub> hub(new ClusterHub(std::move(options), std::move(seat)));
+                                                     hub::BackplaneContext context) {
+  std::unique_ptr<ClusterHub> hub(new ClusterHub(std::move(options), std::move(context)));
   NatsHandlers handlers{
       .on_message = [hub = hub.get()](auto subject, auto bytes) { hub->take(subject, bytes); },
       .on_connected = [hub = hub.get()] { hub->say_alive(); },
@@ -38,8 +38,8 @@ Result<std::unique_ptr<ClusterHub>> ClusterHub::open(ClusterOptions options,
   return hub;
 }
 
-ClusterHub::ClusterHub(ClusterOptions options, hub::BackplaneContext seat)
-    : options_(std::move(options)), context_(std::move(seat)), timer_(context_.io) {}
+ClusterHub::ClusterHub(ClusterOptions options, hub::BackplaneContext context)
+    : options_(std::move(options)), context_(std::move(context)), timer_(context_.io) {}
 
 ClusterHub::~ClusterHub() {
   timer_.cancel();
@@ -49,26 +49,28 @@ ClusterHub::~ClusterHub() {
 // ---- rooms
 
 void ClusterHub::room_opened(const std::string& name) {
-  const Number number = numbers_[name] = ++newest_;
-  auto new_connection = [number, count = std::make_shared<std::uint32_t>(0)] {
-    return hub::backplane_connection(number, ++*count);
+  auto find_room = [this, name]() -> BackplaneRoom* {
+    const Room* room = find(name);
+    return room == nullptr ? nullptr : room->shared.get();
   };
-  SharedRoom::Context seat{.own = id_,
-                           .room = name,
-                           .token = context_.token,
-                           .rooms = context_.rooms,
-                           .new_connection = std::move(new_connection),
-                           .out = *this};
-  rooms_[number] =
-      std::unique_ptr<Room>(new Room{.shared = std::make_unique<SharedRoom>(std::move(seat)),
+  auto new_connection = [this, find_room = std::move(find_room)] {
+    return std::make_shared<BackplaneConnection>(context_.connection_ids.next(), find_room);
+  };
+  SharedRoom::Context context{.own = id_,
+                              .room = name,
+                              .token = context_.token,
+                              .rooms = context_.rooms,
+                              .new_connection = std::move(new_connection),
+                              .out = *this};
+  rooms_[name] =
+      std::unique_ptr<Room>(new Room{.shared = std::make_unique<SharedRoom>(std::move(context)),
                                      .packer = FramePacker(nats_->max_message_bytes()),
                                      .gathered = boost::asio::steady_timer(context_.io),
                                      .unwatched = boost::asio::steady_timer(context_.io)});
   nats_->subscribe(news_subject(name));
   // Deferred: all rooms are opened in sequence before any of them can accept a client.
-  boost::asio::post(context_.io, [this, number] {
-    const auto room = rooms_.find(number);
-    if (room != rooms_.end()) room->second->shared->stay();
+  boost::asio::post(context_.io, [this, name] {
+    if (Room* room = find(name)) room->shared->stay();
   });
 }
 
@@ -76,13 +78,12 @@ void ClusterHub::room_closed(const std::string& name) {
   nats_->unsubscribe(news_subject(name));
   nats_->unsubscribe(all_frames_subject(name));
   nats_->unsubscribe(poses_subject(name));
-  const auto number = numbers_.extract(name);
-  if (number) rooms_.erase(number.mapped());
+  rooms_.erase(name);
 }
 
 ClusterHub::Room* ClusterHub::find(std::string_view name) {
-  const auto number = numbers_.find(name);
-  return number == numbers_.end() ? nullptr : rooms_.at(number->second).get();
+  const auto room = rooms_.find(name);
+  return room == rooms_.end() ? nullptr : room->second.get();
 }
 
 void ClusterHub::watch(const std::string& name, bool is_watched) {
@@ -141,19 +142,6 @@ void ClusterHub::flush(Room& room) {
   }
 }
 
-SharedRoom* ClusterHub::owner_of_connection(ConnectionId connection) {
-  const auto room = rooms_.find(hub::backplane_owner(connection));
-  return room == rooms_.end() ? nullptr : room->second->shared.get();
-}
-
-void ClusterHub::send(ConnectionId to, const wire::pb::Control& message) {
-  if (SharedRoom* room = owner_of_connection(to)) room->said(to, message);
-}
-
-void ClusterHub::let_go(ConnectionId connection) {
-  if (SharedRoom* room = owner_of_connection(connection)) room->let_go(connection);
-}
-
 // ---- to other hubs
 
 void ClusterHub::broadcast_news(const pb::RoomNews& news) {
@@ -180,10 +168,10 @@ pb::Heartbeat ClusterHub::heartbeat() const {
   own.set_aligns(options_.on_owned != nullptr);
   own.set_load(load_.cores());
   own.set_cores(options_.cores);
-  for (const auto& [number, room] : rooms_) {
+  for (const auto& [name, room] : rooms_) {
     if (room->shared->revision() == 0 && !room->is_subscribed) continue;
     pb::RoomHere& here = *own.add_rooms();
-    here.set_room(room->shared->name());
+    here.set_room(name);
     here.set_revision(room->shared->revision());
     here.set_sensors(static_cast<std::uint32_t>(room->shared->local_sensor_count()));
     here.set_viewers(static_cast<std::uint32_t>(room->shared->viewer_count()));
@@ -196,7 +184,7 @@ void ClusterHub::say_alive(bool leaves) {
   pb::Heartbeat own = heartbeat();
   own.set_leaves(leaves);
   if (beats_ % kBeatsPerList == 0) {
-    for (const auto& [number, room] : rooms_) own.add_all_rooms(room->shared->name());
+    for (const auto& [name, room] : rooms_) own.add_all_rooms(name);
   }
   directory_.write_heard(own);
   nats_->publish(kHeartbeatSubject, bytes_of(own));
@@ -219,7 +207,7 @@ void ClusterHub::beat() {
   load_.look(clock_.now());
   for (const HubId gone : directory_.take_gone(clock_.now())) {
     if (options_.log) options_.log(LogLevel::kWarning, "hub " + to_string(gone) + " is gone");
-    for (const auto& [number, room] : rooms_) room->shared->remove_hub(gone);
+    for (const auto& [name, room] : rooms_) room->shared->remove_hub(gone);
   }
   look_after_rooms();
   ++beats_;
@@ -230,8 +218,7 @@ void ClusterHub::look_after_rooms() {
   auto urls = directory_.urls();
   if (urls != named_hubs_) context_.name_hubs(named_hubs_ = std::move(urls));
   const pb::Heartbeat own = heartbeat();
-  for (const auto& [number, room] : rooms_) {
-    const std::string& name = room->shared->name();
+  for (const auto& [name, room] : rooms_) {
     room->asked.clear();
     room->shared->stay();
     room->is_wanted = directory_.is_wanted(name);

@@ -51,7 +51,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
 
   /// Errors of NatsClient::open.
   static Result<std::unique_ptr<ClusterHub>> open(ClusterOptions options,
-                                                  hub::BackplaneContext seat);
+                                                  hub::BackplaneContext context);
   ~ClusterHub() override;
 
   void room_opened(const std::string& room) override;
@@ -62,16 +62,12 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   void frame(const std::string& room, const wire::FrameHeader& header,
              std::span<const std::uint8_t> message) override;
   void set_closed(const std::string& room) override;
-  void send(ConnectionId to, const wire::pb::Control& message) override;
-  void let_go(ConnectionId connection) override;
   void revoked(const std::vector<hub::Claims>& tokens) override;
   [[nodiscard]] std::vector<hub::HubStatus> hubs() const override;
   [[nodiscard]] hub::BackplaneStats stats() const override;
   [[nodiscard]] std::vector<std::string> less_busy_hubs(const std::string& room) const override;
 
  private:
-  /// Part of the IDs of a room's connections. Never reused.
-  using Number = std::uint32_t;
   struct Room {
     std::unique_ptr<SharedRoom> shared;
     FramePacker packer;
@@ -82,9 +78,9 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
     std::optional<HubId> owner = {};
     std::set<HubId> asked = {};  // asked for their news since our last heartbeat
   };
-  using Rooms = std::map<Number, std::unique_ptr<Room>>;
+  using Rooms = std::map<std::string, std::unique_ptr<Room>, std::less<>>;  // by name
 
-  ClusterHub(ClusterOptions options, hub::BackplaneContext seat);
+  ClusterHub(ClusterOptions options, hub::BackplaneContext context);
 
   void broadcast_news(const pb::RoomNews& news) override;
   void tell(HubId hub, const pb::ToHub& message) override;
@@ -101,7 +97,6 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   void begin_or_end_owning(const std::string& room, bool owns) const;
   void flush(Room& room);
   [[nodiscard]] Room* find(std::string_view room);
-  [[nodiscard]] SharedRoom* owner_of_connection(ConnectionId connection);
 
   const ClusterOptions options_;
   const hub::BackplaneContext context_;
@@ -111,10 +106,8 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   ProcessorLoad load_;
   std::vector<std::string> named_hubs_;  // as last passed to name_hubs()
   std::unique_ptr<NatsClient> nats_;
-  Number newest_ = 0;
   unsigned beats_ = 0;
   Rooms rooms_;
-  std::map<std::string, Number, std::less<>> numbers_;  // by name
   boost::asio::steady_timer timer_;
   std::minstd_rand random_{std::random_device{}()};
 };

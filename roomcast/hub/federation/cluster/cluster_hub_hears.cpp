@@ -47,15 +47,15 @@ void ClusterHub::take_heartbeat(const pb::Heartbeat& heartbeat) {
   const bool is_new = directory_.find(from) == nullptr;
   if (!directory_.take(heartbeat, clock_.now())) return;
   const auto estimate = directory_.find(from)->clock.estimate();
-  for (const auto& [number, room] : rooms_) {
-    const pb::RoomHere* there = room_of(heartbeat, room->shared->name());
+  for (const auto& [name, room] : rooms_) {
+    const pb::RoomHere* there = room_of(heartbeat, name);
     if (there == nullptr) continue;
-    room->is_wanted = directory_.is_wanted(room->shared->name());
+    room->is_wanted = directory_.is_wanted(name);
     if (estimate) room->shared->set_clock(from, *estimate);
     if (there->revision() > room->shared->revision_of(from) && room->asked.insert(from).second) {
       pb::ToHub please;
       please.set_from(id_.value);
-      please.set_room(room->shared->name());
+      please.set_room(name);
       please.mutable_news_please();
       tell(from, please);
     }

@@ -32,7 +32,7 @@ bool is_legal(const pb::RoomNews& news) {
 
 }  // namespace
 
-SharedRoom::SharedRoom(Context seat) : context_(std::move(seat)) {
+SharedRoom::SharedRoom(Context context) : context_(std::move(context)) {
   news_.set_hub(context_.own.value);
   news_.set_room(context_.room);
 }
@@ -44,13 +44,15 @@ void SharedRoom::stay() {
 }
 
 void SharedRoom::join() {
-  aligner_ = context_.new_connection();
+  const hub::ConnectionPtr connection = context_.new_connection();
+  aligner_ = connection->id();
   wpb::Join join;
   join.set_room(context_.room);
   join.set_token(context_.token);
   join.set_name("other hubs");
   join.mutable_aligner();
-  context_.rooms.on_join({.from = *aligner_, .address = "other hubs", .peer = ""}, join);
+  context_.rooms.on_join(
+      {.connection = connection, .address = "other hubs", .peer = "", .is_backplane = true}, join);
 }
 
 void SharedRoom::leave() {
@@ -58,7 +60,7 @@ void SharedRoom::leave() {
   if (aligner_) context_.rooms.on_left(*std::exchange(aligner_, std::nullopt), kRejoins);
 }
 
-void SharedRoom::said(ConnectionId to, const wpb::Control& message) {
+void SharedRoom::on_room_message(ConnectionId to, const wpb::Control& message) {
   if (to == aligner_) {
     is_welcome_ |= message.has_welcome();
     if (message.has_welcome()) {
@@ -71,7 +73,7 @@ void SharedRoom::said(ConnectionId to, const wpb::Control& message) {
     return pass_to_owner(message);
   }
   for (auto& [id, hub] : others_) {
-    const auto request = hub.sensors.said(to, message);
+    const auto request = hub.sensors.on_room_message(to, message);
     const bool is_its = std::ranges::any_of(
         hub.sensors.all(), [to](const auto& sensor) { return sensor.second.connection == to; });
     if (!is_its) continue;
@@ -86,9 +88,9 @@ void SharedRoom::said(ConnectionId to, const wpb::Control& message) {
   }
 }
 
-void SharedRoom::let_go(ConnectionId connection) {
+void SharedRoom::on_removed(ConnectionId connection) {
   if (connection == aligner_) aligner_.reset(), is_welcome_ = false;
-  for (auto& [id, hub] : others_) hub.sensors.let_go(connection);
+  for (auto& [id, hub] : others_) hub.sensors.on_removed(connection);
 }
 
 void SharedRoom::sensor_joins(const std::string& name, const std::string& token_id) {
@@ -213,7 +215,7 @@ void SharedRoom::frames(HubId from, std::span<const std::uint8_t> message) {
   if (hub == others_.end()) return;
   hub->second.unpacker.take(
       message, [&](net::MessageBuffer frame) { hub->second.sensors.frame(std::move(frame)); });
-  hub->second.sensors.pass_on();
+  hub->second.sensors.deliver_frames();
 }
 
 void SharedRoom::set_other_urls(const std::vector<std::string>& urls) {

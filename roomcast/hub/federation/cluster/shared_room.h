@@ -37,26 +37,25 @@ class SharedRoomOut {
   virtual void broadcast_poses(const std::string& room, const pb::PeopleMoved& people) = 0;
 };
 
-class SharedRoom {
+class SharedRoom final : public BackplaneRoom {
  public:
   struct Context {
     HubId own;
     std::string room;
     std::string token;  // admits any client to the room
     hub::BackplaneEvents& rooms;
-    hub::federation::MirroredSensors::NewConnection new_connection;
+    NewConnection new_connection;
     SharedRoomOut& out;
   };
 
-  explicit SharedRoom(Context seat);
+  explicit SharedRoom(Context context);
 
   /// Rejoins the room if it was removed. Call it at first, and then periodically.
   void stay();
 
   // From the room here.
-  /// A message to one of our connections.
-  void said(ConnectionId to, const wire::pb::Control& message);
-  void let_go(ConnectionId connection);
+  void on_room_message(ConnectionId to, const wire::pb::Control& message) override;
+  void on_removed(ConnectionId connection) override;
   /// Call when a sensor connected to this hub is admitted.
   void sensor_joins(const std::string& name, const std::string& token_id);
 

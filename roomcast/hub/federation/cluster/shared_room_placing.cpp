@@ -143,7 +143,7 @@ void SharedRoom::take_said(HubId from, const pb::SensorMessage& said) {
     }
     for (auto& tag : *control.mutable_sightings()->mutable_tags()) times_are_known &= convert(tag);
   }
-  if (times_are_known) hub->second.sensors.say(said.sensor_id(), control);
+  if (times_are_known) hub->second.sensors.forward(said.sensor_id(), control);
 }
 
 void SharedRoom::take_nudge(const pb::NamedNudge& nudge) {

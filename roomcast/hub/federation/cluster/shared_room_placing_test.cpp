@@ -42,9 +42,9 @@ class Hub final : public SharedRoomOut {
   void welcome(std::size_t n, std::uint32_t id) {
     wpb::Control control;
     control.mutable_welcome()->set_sensor_id(id);
-    room.said(here.joins.at(n).first, control);
+    room.on_room_message(here.joins.at(n).first, control);
   }
-  void hear(const wpb::Control& control) { room.said(aligner(), control); }
+  void hear(const wpb::Control& control) { room.on_room_message(aligner(), control); }
   void roster(std::initializer_list<wpb::SensorEntry> sensors) {
     wpb::Control control;
     for (const auto& sensor : sensors) *control.mutable_roster()->add_sensors() = sensor;
@@ -64,14 +64,13 @@ class Hub final : public SharedRoomOut {
 
  private:
   const HubId id_;
-  std::uint64_t connections_ = 0;
 
  public:
   SharedRoom room{{.own = id_,
                    .room = "lab",
                    .token = "own",
                    .rooms = here,
-                   .new_connection = [this] { return ConnectionId{++connections_}; },
+                   .new_connection = unread_connections(),
                    .out = *this}};
 };
 
@@ -171,7 +170,7 @@ TEST_F(SharedRoomPlacing, sightings_are_wanted_by_the_owner_only_and_come_in_its
   other.welcome(2, 0);
   wpb::Control request;
   request.mutable_sighting_request()->set_heads(true);
-  owner.room.said(owner.here.joins[1].first, request);
+  owner.room.on_room_message(owner.here.joins[1].first, request);
   ASSERT_FALSE(other.here.said.empty());
   EXPECT_TRUE(other.here.said.back().second.sighting_request().heads());
   owner.room.set_clock(kOther, {.at = HostTime(14s), .room_minus_host = -4s, .drift = 0});

@@ -40,13 +40,13 @@ class SharedRoomTest : public testing::Test {
   void welcome(std::size_t n, std::uint32_t id = 0) {
     wpb::Control control;
     control.mutable_welcome()->set_sensor_id(id);
-    room.said(here.joins.at(n).first, control);
+    room.on_room_message(here.joins.at(n).first, control);
   }
   void roster(std::initializer_list<wpb::SensorEntry> sensors) {
     wpb::Control control;
     for (const auto& sensor : sensors) *control.mutable_roster()->add_sensors() = sensor;
     control.mutable_roster();
-    room.said(here.joins.at(0).first, control);
+    room.on_room_message(here.joins.at(0).first, control);
   }
   static pb::RoomNews news_of(HubId hub, std::uint32_t revision,
                               std::initializer_list<wpb::SensorEntry> sensors,
@@ -72,12 +72,11 @@ class SharedRoomTest : public testing::Test {
 
   RoomHere here;
   Told told;
-  std::uint64_t connections = 0;
   SharedRoom room{{.own = kOwn,
                    .room = "lab",
                    .token = "own",
                    .rooms = here,
-                   .new_connection = [this] { return ConnectionId{++connections}; },
+                   .new_connection = unread_connections(),
                    .out = told}};
 };
 
@@ -120,7 +119,7 @@ TEST_F(SharedRoomTest, who_comes_last_has_the_name_wherever_it_comes) {
   room.news(news_of(kLower, 1, {sensor_there(7, "left")}));
   welcome(1, 3);
   room.sensor_joins("left", "t");
-  room.let_go(here.joins[1].first);  // the room has replaced it
+  room.on_removed(here.joins[1].first);  // the room has replaced it
   roster({sensor_there(3, "left")});
   ASSERT_EQ(told.to_all.size(), 1u);
   EXPECT_EQ(told.to_all[0].sensors(0).claim(), 2u);
@@ -170,7 +169,7 @@ TEST_F(SharedRoomTest, a_key_request_goes_to_the_hub_of_the_sensor_and_from_ther
   welcome(1, 3);
   wpb::Control request;
   request.mutable_key_request()->set_sensor_id(3);
-  room.said(here.joins[1].first, request);
+  room.on_room_message(here.joins[1].first, request);
   ASSERT_EQ(told.to_one.size(), 1u);
   EXPECT_EQ(told.to_one[0].first, kLower);
   EXPECT_EQ(told.to_one[0].second.key_request().sensor_id(), 7u);
@@ -200,7 +199,7 @@ TEST_F(SharedRoomTest, the_room_here_is_told_where_else_it_is_when_that_changes)
 }
 
 TEST_F(SharedRoomTest, it_joins_again_when_it_was_sent_away) {
-  room.let_go(here.joins[0].first);
+  room.on_removed(here.joins[0].first);
   room.stay();
   room.stay();
   EXPECT_EQ(here.joins.size(), 2u);
@@ -210,12 +209,12 @@ TEST_F(SharedRoomTest, who_watches_here_is_told_and_who_came_from_other_hubs_is_
   wpb::Control control;
   *control.mutable_roster()->add_viewers() = person(7, "Ada");
   *control.mutable_roster()->add_viewers() = person(9, "from there", 1);
-  room.said(here.joins.at(0).first, control);
+  room.on_room_message(here.joins.at(0).first, control);
   ASSERT_EQ(told.to_all.back().people_size(), 1);
   EXPECT_EQ(told.to_all.back().people(0).name(), "Ada");
   EXPECT_EQ(room.viewer_count(), 1u);
-  room.said(here.joins.at(0).first, pose_of(7));
-  room.said(here.joins.at(0).first, pose_of(9));
+  room.on_room_message(here.joins.at(0).first, pose_of(7));
+  room.on_room_message(here.joins.at(0).first, pose_of(9));
   ASSERT_EQ(told.moved.size(), 1u);
   EXPECT_EQ(told.moved[0].poses().poses(0).viewer_id(), 7u);
   room.tell_poses_again();

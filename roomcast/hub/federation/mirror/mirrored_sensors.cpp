@@ -64,7 +64,7 @@ MirroredSensors::MirroredSensors(std::uint64_t other_hub, std::string room, std:
 // ---- from the other hub
 
 void MirroredSensors::follow(const std::vector<SensorThere>& online) {
-  pass_on();  // they were sent before this list
+  deliver_frames();  // they were sent before this list
   std::set<std::uint32_t> ids;
   for (const SensorThere& sensor : online) {
     ids.insert(sensor.entry.id());
@@ -91,18 +91,19 @@ void MirroredSensors::follow(const SensorThere& sensor) {
 }
 
 void MirroredSensors::join(const SensorThere& sensor) {
-  const ConnectionId connection = new_connection_();
-  sensors_[sensor.entry.id()] = {.there = sensor, .connection = connection};
+  const hub::ConnectionPtr connection = new_connection_();
+  sensors_[sensor.entry.id()] = {.there = sensor, .connection = connection->id()};
   wpb::Join join;
   join.set_room(room_);
   join.set_token(token_);
   join.set_name(sensor.entry.name());
   *join.mutable_sensor() = role_of(sensor.entry);
-  here_.on_join({.from = connection,
+  here_.on_join({.connection = connection,
                  .address = "another hub",
                  .peer = "",
                  .token_id_there = sensor.token_id,
-                 .other_hub = other_hub_},
+                 .other_hub = other_hub_,
+                 .is_backplane = true},
                 join);
 }
 
@@ -122,18 +123,18 @@ void MirroredSensors::frame(net::MessageBuffer message) {
   header->capture_time = *time_here(header->capture_time);
   header->clock_error_us = added_error_us(header->clock_error_us, clock_->error);
   wire::stamp_source(message.payload(), *header);
-  came_.push_back({sensor->second.connection, *header, std::move(message)});
+  received_.push_back({sensor->second.connection, *header, std::move(message)});
 }
 
-void MirroredSensors::pass_on() {
-  if (came_.empty()) return;
-  auto together = std::exchange(came_, {});
+void MirroredSensors::deliver_frames() {
+  if (received_.empty()) return;
+  auto together = std::exchange(received_, {});
   here_.on_frames(together);
   together.clear();
-  came_ = std::move(together);  // keeps the memory
+  received_ = std::move(together);  // keeps the memory
 }
 
-void MirroredSensors::say(std::uint32_t id_there, const wpb::Control& message) {
+void MirroredSensors::forward(std::uint32_t id_there, const wpb::Control& message) {
   const auto sensor = sensors_.find(id_there);
   if (sensor != sensors_.end() && sensor->second.id) {
     here_.on_control(sensor->second.connection, message);
@@ -148,7 +149,7 @@ std::optional<RoomTime> MirroredSensors::time_here(RoomTime there) const {
 
 void MirroredSensors::other_hub_is_gone() {
   clock_.reset();
-  came_.clear();
+  received_.clear();
   while (!sensors_.empty()) leave(sensors_.begin());
 }
 
@@ -165,7 +166,8 @@ bool MirroredSensors::has(std::string_view name) const {
   });
 }
 
-std::optional<wpb::Control> MirroredSensors::said(ConnectionId to, const wpb::Control& message) {
+std::optional<wpb::Control> MirroredSensors::on_room_message(ConnectionId to,
+                                                             const wpb::Control& message) {
   const auto sensor = find(to);
   if (sensor == sensors_.end()) return std::nullopt;
   if (message.has_welcome()) {
@@ -177,10 +179,10 @@ std::optional<wpb::Control> MirroredSensors::said(ConnectionId to, const wpb::Co
   return request;
 }
 
-bool MirroredSensors::let_go(ConnectionId connection) {
+bool MirroredSensors::on_removed(ConnectionId connection) {
   const auto sensor = find(connection);
   if (sensor == sensors_.end()) return false;
-  std::erase_if(came_, [connection](const auto& frame) { return frame.from == connection; });
+  std::erase_if(received_, [connection](const auto& frame) { return frame.from == connection; });
   sensors_.erase(sensor);
   return true;
 }

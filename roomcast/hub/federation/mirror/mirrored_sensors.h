@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "roomcast/client/room/clock_estimate.h"
+#include "roomcast/hub/federation/mirror/backplane_connection.h"
 #include "roomcast/hub/runtime/backplane.h"
 #include "roomcast/net/message_buffer.h"
 #include "roomcast/wire/control.pb.h"
@@ -37,8 +37,6 @@ struct MirroredSensor {
 
 class MirroredSensors {
  public:
-  using NewConnection = std::function<ConnectionId()>;
-
   /// `here` gets the events and must outlive this; `token` admits any client to its room.
   /// `other_hub`: distinguishes that hub from others whose sensors are in the room here; not 0.
   MirroredSensors(std::uint64_t other_hub, std::string room, std::string token,
@@ -51,19 +49,20 @@ class MirroredSensors {
   /// Dropped while the clock offset or the sensor's ID here is unknown, or if it is not a valid
   /// frame.
   void frame(net::MessageBuffer message);
-  /// Passes the frames received so far to the room, together.
-  void pass_on();
-  /// Passes on a message of the sensor with this ID there.
-  void say(std::uint32_t id_there, const wire::pb::Control& message);
+  /// Delivers the frames received so far to the room, together.
+  void deliver_frames();
+  /// Forwards a message of the sensor with this ID there to the room.
+  void forward(std::uint32_t id_there, const wire::pb::Control& message);
   /// Removes all sensors until the hub returns.
   void other_hub_is_gone();
 
   // From the room here.
   /// A message to one of our connections. Returns the message to send to the other hub, if any.
-  std::optional<wire::pb::Control> said(ConnectionId to, const wire::pb::Control& message);
+  std::optional<wire::pb::Control> on_room_message(ConnectionId to,
+                                                   const wire::pb::Control& message);
   /// The connection was removed from the room. True: it was one of ours. It rejoins with the next
   /// follow().
-  bool let_go(ConnectionId connection);
+  bool on_removed(ConnectionId connection);
 
   /// By their IDs there.
   [[nodiscard]] const std::map<std::uint32_t, MirroredSensor>& all() const { return sensors_; }
@@ -86,7 +85,7 @@ class MirroredSensors {
   const NewConnection new_connection_;
   Sensors sensors_;
   std::optional<client::ClockEstimate> clock_;
-  std::vector<hub::IncomingFrame> came_;  // received but not yet passed on
+  std::vector<hub::IncomingFrame> received_;  // not yet delivered
 };
 
 /// The estimated pose in `entry`, as an aligner's placement of sensor `here`.

@@ -16,7 +16,7 @@ class MirroredSensorsTest : public testing::Test {
   void welcome(std::size_t n, std::uint32_t id) {
     wire::pb::Control control;
     control.mutable_welcome()->set_sensor_id(id);
-    EXPECT_FALSE(mirror.said(here.joins.at(n).first, control).has_value());
+    EXPECT_FALSE(mirror.on_room_message(here.joins.at(n).first, control).has_value());
   }
   void follow(std::initializer_list<wire::pb::SensorEntry> entries) {
     std::vector<SensorThere> online;
@@ -25,8 +25,7 @@ class MirroredSensorsTest : public testing::Test {
   }
 
   RoomHere here;
-  std::uint64_t connections = 0;
-  MirroredSensors mirror{9, "lab", "own", here, [this] { return ConnectionId{++connections}; }};
+  MirroredSensors mirror{9, "lab", "own", here, unread_connections()};
 };
 
 TEST_F(MirroredSensorsTest, sensors_there_join_here_as_themselves) {
@@ -52,7 +51,7 @@ TEST_F(MirroredSensorsTest, frames_have_this_hubs_id_and_time) {
   welcome(0, 3);
   mirror.set_clock({.at = HostTime(14s), .room_minus_host = -4s, .drift = 0, .error = 50us});
   mirror.frame(frame_there());
-  mirror.pass_on();
+  mirror.deliver_frames();
   ASSERT_EQ(here.frames.size(), 1u);
   EXPECT_EQ(here.frames[0].first, here.joins[0].first);
   EXPECT_EQ(here.frames[0].second.sensor, SensorId{3});
@@ -68,7 +67,7 @@ TEST_F(MirroredSensorsTest, frames_are_dropped_before_clock_and_id_are_known) {
   welcome(0, 3);
   mirror.other_hub_is_gone();
   mirror.frame(frame_there());
-  mirror.pass_on();
+  mirror.deliver_frames();
   EXPECT_TRUE(here.frames.empty());
 }
 
@@ -79,10 +78,10 @@ TEST_F(MirroredSensorsTest, frames_that_come_together_go_on_together) {
   mirror.frame(frame_there());
   mirror.frame(frame_there());
   EXPECT_TRUE(here.frames.empty());
-  mirror.pass_on();
-  mirror.pass_on();
+  mirror.deliver_frames();
+  mirror.deliver_frames();
   mirror.frame(frame_there());
-  mirror.pass_on();
+  mirror.deliver_frames();
   EXPECT_EQ(here.batches, (std::vector<std::size_t>{2, 1}));
 }
 
@@ -97,8 +96,8 @@ TEST_F(MirroredSensorsTest,
   follow({sensor_there(7, "left")});
   welcome(1, 3);
   mirror.frame(frame_there());
-  mirror.let_go(here.joins[1].first);
-  mirror.pass_on();
+  mirror.on_removed(here.joins[1].first);
+  mirror.deliver_frames();
   EXPECT_EQ(here.frames.size(), 1u);
 }
 
@@ -108,7 +107,7 @@ TEST_F(MirroredSensorsTest, what_is_no_frame_is_dropped) {
   mirror.set_clock({});
   auto cut = frame_there();
   mirror.frame(net::MessageBuffer(cut.payload().first(20)));
-  mirror.pass_on();
+  mirror.deliver_frames();
   EXPECT_TRUE(here.frames.empty());
 }
 
@@ -117,7 +116,7 @@ TEST_F(MirroredSensorsTest, a_key_request_is_handed_on_with_the_id_there) {
   welcome(0, 3);
   wire::pb::Control control;
   control.mutable_key_request()->set_sensor_id(3);
-  const auto request = mirror.said(here.joins[0].first, control);
+  const auto request = mirror.on_room_message(here.joins[0].first, control);
   ASSERT_TRUE(request);
   EXPECT_EQ(request->key_request().sensor_id(), 7u);
 }
@@ -126,11 +125,11 @@ TEST_F(MirroredSensorsTest, what_a_sensor_says_there_it_says_here_once_it_is_wel
   follow({sensor_there(7, "left")});
   wire::pb::Control bundle;
   bundle.mutable_calibration_bundle();
-  mirror.say(7, bundle);
+  mirror.forward(7, bundle);
   EXPECT_TRUE(here.said.empty());
   welcome(0, 3);
-  mirror.say(7, bundle);
-  mirror.say(8, bundle);
+  mirror.forward(7, bundle);
+  mirror.forward(8, bundle);
   ASSERT_EQ(here.said.size(), 1u);
   EXPECT_EQ(here.said[0].first, here.joins[0].first);
 }
@@ -161,9 +160,9 @@ TEST_F(MirroredSensorsTest, it_has_a_sensor_once_the_room_here_has_welcomed_it) 
   EXPECT_FALSE(mirror.has("left"));
   welcome(0, 3);
   EXPECT_TRUE(mirror.has("left"));
-  EXPECT_TRUE(mirror.let_go(here.joins[0].first));
+  EXPECT_TRUE(mirror.on_removed(here.joins[0].first));
   EXPECT_FALSE(mirror.has("left"));
-  EXPECT_FALSE(mirror.let_go(here.joins[0].first));
+  EXPECT_FALSE(mirror.on_removed(here.joins[0].first));
 }
 
 }  // namespace

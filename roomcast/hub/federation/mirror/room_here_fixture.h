@@ -2,6 +2,7 @@
 // For tests of mirrored sensors and people: a room that records the events it receives.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/hub/federation/mirror/backplane_connection.h"
 #include "roomcast/hub/runtime/backplane.h"
 #include "roomcast/hub/server/hub_server_fixture.h"
 #include "roomcast/wire/frame_header.h"
@@ -20,7 +22,7 @@ using namespace std::chrono_literals;
 /// A room here that records the events it receives.
 struct RoomHere final : hub::BackplaneEvents {
   void on_join(const hub::ConnectionInfo& arrival, const wire::pb::Join& join) override {
-    joins.emplace_back(arrival.from, join);
+    joins.emplace_back(arrival.id(), join);
     arrivals.push_back(arrival);
   }
   void on_control(ConnectionId from, const wire::pb::Control& message) override {
@@ -48,6 +50,13 @@ struct RoomHere final : hub::BackplaneEvents {
   std::vector<SensorId> key_needs;
   std::vector<ConnectionId> left;
 };
+
+/// Makes connections that lose what the room sends to them.
+inline NewConnection unread_connections() {
+  return [ids = std::make_shared<hub::ConnectionIds>()] {
+    return std::make_shared<BackplaneConnection>(ids->next(), [] { return nullptr; });
+  };
+}
 
 inline wire::pb::SensorEntry sensor_there(
     std::uint32_t id, const std::string& name,

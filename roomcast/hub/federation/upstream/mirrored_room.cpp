@@ -57,12 +57,14 @@ void MirroredRoom::show_people() {
 }
 
 void MirroredRoom::join_as_aligner() {
-  aligner_ = new_connection_();
+  const hub::ConnectionPtr connection = new_connection_();
+  aligner_ = connection->id();
   wpb::Join join;
   join.set_room(room_);
   join.set_token(token_);
   join.mutable_aligner();
-  here_.on_join({.from = *aligner_, .address = "another hub", .peer = ""}, join);
+  here_.on_join(
+      {.connection = connection, .address = "another hub", .peer = "", .is_backplane = true}, join);
 }
 
 void MirroredRoom::other_hub_is_gone() {
@@ -77,26 +79,27 @@ void MirroredRoom::other_hub_is_gone() {
 
 // ---- from the room here
 
-std::optional<wpb::Control> MirroredRoom::said(ConnectionId to, const wpb::Control& message) {
-  if (to == aligner_) return said_to_aligner(message);
-  auto request = sensors_.said(to, message);
+std::optional<wpb::Control> MirroredRoom::on_room_message(ConnectionId to,
+                                                          const wpb::Control& message) {
+  if (to == aligner_) return on_aligner_message(message);
+  auto request = sensors_.on_room_message(to, message);
   if (message.has_welcome()) place_sensors();
   return request;
 }
 
-std::optional<wpb::Control> MirroredRoom::said_to_aligner(const wpb::Control& message) {
-  wpb::Control told;
+std::optional<wpb::Control> MirroredRoom::on_aligner_message(const wpb::Control& message) {
+  wpb::Control report;
   if (message.has_welcome()) {
     aligner_is_welcome_ = true;
     shown_presence_.forget();
     place_sensors();
     show_people();
   } else if (message.has_roster() && people_here_.take(message.roster())) {
-    *told.mutable_people_here() = people_here_.people();
-    return told;
+    *report.mutable_people_here() = people_here_.people();
+    return report;
   } else if (message.has_viewer_poses()) {
-    *told.mutable_viewer_poses() = people_here_.take(message.viewer_poses());
-    if (told.viewer_poses().poses_size() > 0) return told;
+    *report.mutable_viewer_poses() = people_here_.take(message.viewer_poses());
+    if (report.viewer_poses().poses_size() > 0) return report;
   }
   return std::nullopt;
 }
@@ -112,9 +115,9 @@ void MirroredRoom::place_sensors() {
   if (control.has_placements()) here_.on_control(*aligner_, control);
 }
 
-void MirroredRoom::let_go(ConnectionId connection) {
+void MirroredRoom::on_removed(ConnectionId connection) {
   if (connection == aligner_) aligner_.reset(), aligner_is_welcome_ = false;
-  sensors_.let_go(connection);
+  sensors_.on_removed(connection);
 }
 
 }  // namespace roomcast::hub::federation

@@ -18,8 +18,6 @@ namespace roomcast::hub::federation {
 
 class MirroredRoom {
  public:
-  using NewConnection = hub::federation::MirroredSensors::NewConnection;
-
   /// `here` gets the events and must outlive this; `token` admits any client to its room.
   MirroredRoom(std::string room, std::string token, hub::BackplaneEvents& here,
                NewConnection new_connection);
@@ -31,21 +29,22 @@ class MirroredRoom {
   void roster(const wire::pb::Roster& roster);
   void set_clock(const client::ClockEstimate& estimate) { sensors_.set_clock(estimate); }
   void frame(net::MessageBuffer message) { sensors_.frame(std::move(message)); }
-  void frames_done() { sensors_.pass_on(); }
+  void frames_done() { sensors_.deliver_frames(); }
   /// Removes all sensors until the hub returns.
   void other_hub_is_gone();
 
   // From the room here.
   /// A message to one of our connections. Returns the message to send to the other hub, if any.
-  std::optional<wire::pb::Control> said(ConnectionId to, const wire::pb::Control& message);
+  std::optional<wire::pb::Control> on_room_message(ConnectionId to,
+                                                   const wire::pb::Control& message);
   /// The connection was removed from the room. It rejoins with the next roster.
-  void let_go(ConnectionId connection);
+  void on_removed(ConnectionId connection);
 
  private:
   void join_as_aligner();
   void place_sensors();
   void show_people();
-  std::optional<wire::pb::Control> said_to_aligner(const wire::pb::Control& message);
+  std::optional<wire::pb::Control> on_aligner_message(const wire::pb::Control& message);
 
   const std::string room_, token_;
   hub::BackplaneEvents& here_;

@@ -29,12 +29,11 @@ class MirroredRoomTest : public testing::Test {
   void welcome(std::size_t n, std::uint32_t id = 0) {
     wpb::Control control;
     control.mutable_welcome()->set_sensor_id(id);
-    EXPECT_FALSE(mirrored.said(here.joins.at(n).first, control).has_value());
+    EXPECT_FALSE(mirrored.on_room_message(here.joins.at(n).first, control).has_value());
   }
 
   RoomHere here;
-  std::uint64_t connections = 0;
-  MirroredRoom mirrored{"lab", "own", here, [this] { return ConnectionId{++connections}; }};
+  MirroredRoom mirrored{"lab", "own", here, unread_connections()};
 };
 
 TEST_F(MirroredRoomTest, sensors_there_join_here_and_an_aligner_that_places_them) {
@@ -84,7 +83,7 @@ TEST_F(MirroredRoomTest, when_the_other_hub_is_gone_nobody_is_left) {
 
 TEST_F(MirroredRoomTest, a_sensor_that_was_sent_away_here_is_back_with_the_next_roster) {
   mirrored.roster(roster_of({sensor_there(7, "left")}));
-  mirrored.let_go(here.joins[1].first);
+  mirrored.on_removed(here.joins[1].first);
   mirrored.roster(roster_of({sensor_there(7, "left")}));
   EXPECT_EQ(here.joins.size(), 3u);
   EXPECT_TRUE(here.left.empty()) << "the room knows already";
@@ -120,14 +119,14 @@ TEST_F(MirroredRoomTest, people_here_are_told_there_but_for_those_who_came_from_
   *control.mutable_roster()->add_viewers() = person(2, "from there", 1);
   *control.mutable_roster()->add_viewers() = person(3, "behind a hub here", 1, 9);
   const auto aligner = here.joins[0].first;
-  const auto told = mirrored.said(aligner, control);
+  const auto told = mirrored.on_room_message(aligner, control);
   ASSERT_TRUE(told);
   ASSERT_EQ(told->people_here().people_size(), 2);
   EXPECT_EQ(told->people_here().people(0).name(), "Bob");
   EXPECT_EQ(told->people_here().people(1).name(), "behind a hub here");
-  EXPECT_FALSE(mirrored.said(aligner, control)) << "nothing new";
-  EXPECT_TRUE(mirrored.said(aligner, pose_of(1)));
-  EXPECT_FALSE(mirrored.said(aligner, pose_of(2)));
+  EXPECT_FALSE(mirrored.on_room_message(aligner, control)) << "nothing new";
+  EXPECT_TRUE(mirrored.on_room_message(aligner, pose_of(1)));
+  EXPECT_FALSE(mirrored.on_room_message(aligner, pose_of(2)));
   const auto first = mirrored.welcomed(4);  // the connection is new
   EXPECT_EQ(first[0].people_here().people_size(), 2);
   EXPECT_EQ(first[1].viewer_poses().poses_size(), 1);

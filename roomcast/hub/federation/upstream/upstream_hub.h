@@ -4,7 +4,6 @@
 // it unchanged. Threading: the rooms' thread.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -16,32 +15,25 @@ namespace roomcast::hub::federation {
 
 class UpstreamHub final : public hub::Backplane {
  public:
-  UpstreamHub(UpstreamOptions options, hub::BackplaneContext seat);
+  UpstreamHub(UpstreamOptions options, hub::BackplaneContext context);
 
   void watch(const std::string& room, bool is_watched) override;
-  void send(ConnectionId to, const wire::pb::Control& message) override;
-  void let_go(ConnectionId connection) override;
   [[nodiscard]] hub::BackplaneStats stats() const override;
 
  private:
-  /// A pulled room's number is part of its connections' IDs. Never reused.
-  using Number = std::uint32_t;
   struct Pulled {
-    std::string name;
     UpstreamRoom room;
     boost::asio::steady_timer end;  // of a room without viewers
     bool is_watched = true;
   };
-  using Rooms = std::map<Number, std::unique_ptr<Pulled>>;
+  using Rooms = std::map<std::string, std::unique_ptr<Pulled>>;  // by name
 
   void pull(const std::string& room);
-  void end_later(Number number, Pulled& pulled);
+  void end_later(const std::string& room, Pulled& pulled);
   void end(Rooms::iterator room);
-  [[nodiscard]] UpstreamRoom* owner_of(ConnectionId connection) const;
 
   const UpstreamOptions options_;
   const hub::BackplaneContext context_;
-  Number newest_ = 0;
   hub::BackplaneStats ended_;  // traffic of rooms that are no longer pulled
   Rooms rooms_;
 };

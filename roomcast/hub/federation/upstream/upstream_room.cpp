@@ -46,8 +46,8 @@ void UpstreamRoom::join() {
   link_->start();
 }
 
-void UpstreamRoom::said(ConnectionId to, const wpb::Control& message) {
-  const auto answer = mirror_.said(to, message);
+void UpstreamRoom::on_room_message(ConnectionId to, const wpb::Control& message) {
+  const auto answer = mirror_.on_room_message(to, message);
   if (answer && is_welcome_) send(*answer);
 }
 

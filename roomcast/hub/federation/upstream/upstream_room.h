@@ -26,7 +26,7 @@ struct UpstreamOptions {
   LogSink log = {};
 };
 
-class UpstreamRoom final : private client::HubLinkEvents {
+class UpstreamRoom final : public BackplaneRoom, private client::HubLinkEvents {
  public:
   /// A live hub answers a ping within a few hundred milliseconds. Each check whether a ping is due
   /// wakes this hub.
@@ -44,7 +44,8 @@ class UpstreamRoom final : private client::HubLinkEvents {
   ~UpstreamRoom() override { timer_.cancel(); }
 
   [[nodiscard]] MirroredRoom& mirror() { return mirror_; }
-  void said(ConnectionId to, const wire::pb::Control& message);
+  void on_room_message(ConnectionId to, const wire::pb::Control& message) override;
+  void on_removed(ConnectionId connection) override { mirror_.on_removed(connection); }
 
   /// Whether the other hub has admitted us to the room.
   [[nodiscard]] bool is_welcome() const { return is_welcome_; }

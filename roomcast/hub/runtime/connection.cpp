@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/runtime/connection.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "roomcast/hub/runtime/control_message.h"
+#include "roomcast/hub/runtime/shard.h"
+
+namespace roomcast::hub {
+
+void ControlFanOut::add(Shard& shard, ConnectionId session) {
+  auto receivers = std::ranges::find(by_shard_, &shard, &Receivers::shard);
+  if (receivers == by_shard_.end()) receivers = by_shard_.insert(receivers, {&shard, {}});
+  receivers->sessions.push_back(session);
+}
+
+void ControlFanOut::send() {
+  if (by_shard_.empty()) return;
+  const auto framed = framed_control(message_);
+  for (auto& [shard, sessions] : by_shard_) shard->send_control(std::move(sessions), framed);
+  by_shard_.clear();
+}
+
+void Connection::send(const wire::pb::Control& message) {
+  ControlFanOut alone(message);
+  deliver(alone);
+  alone.send();
+}
+
+}  // namespace roomcast::hub
