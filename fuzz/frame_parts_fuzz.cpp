@@ -29,7 +29,7 @@ void take_anything(const std::vector<Bytes>& messages) {
     unpacker.take(message, [](const roomcast::net::MessageBuffer& frame) {
       if (frame.size() > roomcast::wire::kMaxFrameBytes) __builtin_trap();
     });
-    if (unpacker.begun_bytes() > 2 * roomcast::wire::kMaxFrameBytes) __builtin_trap();
+    if (unpacker.partial_bytes() > 2 * roomcast::wire::kMaxFrameBytes) __builtin_trap();
   }
 }
 

@@ -25,7 +25,7 @@ std::string describe(const NatsEvent& event) {
     (void)read_server_info(info->json);
     return kind + std::string(info->json);
   }
-  if (const auto* complaint = std::get_if<NatsComplaint>(&event)) {
+  if (const auto* complaint = std::get_if<NatsServerError>(&event)) {
     return kind + std::string(complaint->text);
   }
   return kind;

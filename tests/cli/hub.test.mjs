@@ -135,7 +135,7 @@ test('the_reason_of_a_close_is_a_sentence', async (t) => {
 test('hub_that_cannot_read_its_database_does_not_start', async (t) => {
   const folder = scratchFolder(t);
   writeFileSync(join(folder, 'hub.sqlite'), 'x'.repeat(5000));
-  assertFailed(await run('hub', '--listen', '127.0.0.1:0', '--data', folder), 1, /hub\.sqlite cannot keep/);
+  assertFailed(await run('hub', '--listen', '127.0.0.1:0', '--data', folder), 1, /hub\.sqlite cannot be used/);
 });
 
 test('hub_warns_when_it_runs_as_root', async (t) => {

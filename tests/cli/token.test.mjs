@@ -40,7 +40,7 @@ test('room_is_visible_only_with_tokens', async (t) => {
   assert.equal(seen.code, 0, seen.stderr);
   assertFailed(await look(hub, hub.folder), 1, /takes a token for role viewer/);
   assertFailed(await look(hub, hub.folder, '--token', forSensor), 1, /is for role sensor/);
-  assertFailed(await look(hub, hub.folder, '--token', `${forViewer}x`), 1, /not made by this hub/);
+  assertFailed(await look(hub, hub.folder, '--token', `${forViewer}x`), 1, /has not issued this token/);
   assertFailed(await look(hub, hub.folder, '--room', 'attic', '--token', forViewer), 1, /another room/);
 });
 

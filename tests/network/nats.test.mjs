@@ -202,7 +202,7 @@ for (const [what, signal] of [['killed', 'SIGKILL'], ['hung', 'SIGSTOP']]) {
 }
 
 test('when_the_hub_that_places_sensors_is_killed_another_takes_over_within_a_second', { skip, timeout }, async (t) => {
-  const owns = /: works out where the sensors of "room" stand/g;
+  const owns = /: estimates the poses of the sensors of "room"/g;
   const [node] = await startCluster(t, 1);
   const takeovers_ms = [];
   for (let round = 0; round < rounds; ++round) {
@@ -210,7 +210,7 @@ test('when_the_hub_that_places_sensors_is_killed_another_takes_over_within_a_sec
     await Promise.all(hubs.map((hub, i) => startSensor(t, hub, `s${i}`)));
     await Promise.all(hubs.map((hub) => watch(t, hub, ['s0', 's1', 's2'])));
     await delay(500);
-    const now = (hub) => (hub.program.stderr.match(owns) ?? []).length - (hub.program.stderr.match(/no longer works out/g) ?? []).length;
+    const now = (hub) => (hub.program.stderr.match(owns) ?? []).length - (hub.program.stderr.match(/no longer estimates/g) ?? []).length;
     assert.deepEqual(hubs.map(now).sort(), [0, 0, 1], 'one hub, and one only');
     const owner = hubs.find((hub) => now(hub) === 1);
     const others = hubs.filter((hub) => hub !== owner);

@@ -63,7 +63,7 @@ test('an_unencrypted_server_is_refused_where_encryption_is_required', { skip }, 
 test('the_configuration_is_checked_without_a_server', async () => {
   assertFailed(await run('hub', '--check', '--nats', 'http://a:1'), 2, /is no NATS address/);
   assertFailed(await run('hub', '--check', '--nats', 'nats://a:1', '--nats-credentials', '/no/such/file'), 1, /cannot read \/no\/such\/file/);
-  assertFailed(await run('hub', '--check', '--nats', 'nats://a:1', '--nats-cert', '/etc/hostname'), 2, /its key go together/);
+  assertFailed(await run('hub', '--check', '--nats', 'nats://a:1', '--nats-cert', '/etc/hostname'), 2, /needs its key/);
   assertFailed(await run('hub', '--check', '--nats', 'nats://a:1', '--upstream', 'ws://b'), 2, /exclude each other/);
   assertFailed(await run('hub', '--check', '--nats', 'nats://a:1', '--public-url', 'a b'), 2, /a b/);
   assert.equal((await run('hub', '--check', '--nats', 'nats://a:1,tls://b')).code, 0);

@@ -25,8 +25,8 @@ const startSensor = (t, hub, name) => SendingSensor.start(t, hub.url, { name, fp
 
 /** True if this hub estimates the sensors' poses. */
 function owns({ program }) {
-  const begun = program.stderr.match(/: works out where the sensors of "room" stand/g) ?? [];
-  return begun.length > (program.stderr.match(/no longer works out/g) ?? []).length;
+  const begun = program.stderr.match(/: estimates the poses of the sensors of "room"/g) ?? [];
+  return begun.length > (program.stderr.match(/no longer estimates/g) ?? []).length;
 }
 
 async function untilOneOwns(hubs) {

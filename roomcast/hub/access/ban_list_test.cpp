@@ -12,14 +12,14 @@ constexpr HostTime host_time(std::chrono::seconds time) {
   return HostTime(1h + time);
 }
 
-TEST(BanList, a_few_mistakes_are_forgiven) {
+TEST(BanList, a_few_faults_do_not_ban) {
   BanList bans({.faults = 3});
   EXPECT_FALSE(bans.fault("a", host_time(0s)));
   EXPECT_FALSE(bans.fault("a", host_time(1s)));
   EXPECT_FALSE(bans.is_banned("a", host_time(1s)));
 }
 
-TEST(BanList, too_many_in_a_row_are_not_and_others_do_not_suffer) {
+TEST(BanList, too_many_faults_ban_only_their_address) {
   BanList bans({.faults = 3, .ban = 300s});
   bans.fault("a", host_time(0s));
   bans.fault("a", host_time(1s));
@@ -30,13 +30,13 @@ TEST(BanList, too_many_in_a_row_are_not_and_others_do_not_suffer) {
   EXPECT_EQ(bans.banned_count(host_time(3s)), 1U);
 }
 
-TEST(BanList, mistakes_of_long_ago_do_not_count) {
+TEST(BanList, old_faults_do_not_count) {
   BanList bans({.faults = 2, .within = 60s});
   bans.fault("a", host_time(0s));
   EXPECT_FALSE(bans.fault("a", host_time(61s)));
 }
 
-TEST(BanList, whoever_goes_on_after_a_ban_is_banned_again) {
+TEST(BanList, faults_after_a_ban_ban_again) {
   BanList bans({.faults = 2, .within = 60s, .ban = 10s});
   bans.fault("a", host_time(0s));
   EXPECT_TRUE(bans.fault("a", host_time(1s)));
@@ -44,13 +44,13 @@ TEST(BanList, whoever_goes_on_after_a_ban_is_banned_again) {
   EXPECT_TRUE(bans.fault("a", host_time(21s)));
 }
 
-TEST(BanList, remembers_no_more_than_it_may) {
+TEST(BanList, drops_older_records_beyond_its_limit) {
   BanList bans({.faults = 2, .max_peers = 100});
   for (int i = 0; i < 1000; ++i) EXPECT_FALSE(bans.fault(std::to_string(i), host_time(0s)));
   EXPECT_FALSE(bans.fault("0", host_time(1s))) << "its first fault was forgotten";
 }
 
-TEST(BanList, without_rules_nobody_is_banned) {
+TEST(BanList, bans_no_address_without_rules) {
   BanList bans({.faults = 0});
   for (int i = 0; i < 100; ++i) EXPECT_FALSE(bans.fault("a", host_time(0s)));
 }

@@ -11,7 +11,7 @@ namespace pb = wire::pb;
 
 Refusal no_such_room() {
   return {pb::ERROR_NO_SUCH_ROOM,
-          "there is no such room on this hub, or it asks for a token that is for it"};
+          "this hub has no such room, or the room needs a token of its own"};
 }
 
 std::string wanted_room(const pb::Join& join, const Claims* claims,
@@ -21,24 +21,24 @@ std::string wanted_room(const pb::Join& join, const Claims* claims,
   return for_one_room ? claims->grant.room : only_listed_room;
 }
 
-/// Whether these claims meet the requirement `who`. Admins may do everything except kNobody.
-bool meets(Who who, const Claims* claims, std::optional<TokenRole> role = std::nullopt) {
+/// Whether these claims meet the requirement `rule`. Admins may do everything except kNobody.
+bool meets(AccessRule rule, const Claims* claims, std::optional<TokenRole> role = std::nullopt) {
   const bool is_admin = claims != nullptr && claims->grant.role == TokenRole::kAdmin;
-  switch (who) {
-    case Who::kAnyone:
+  switch (rule) {
+    case AccessRule::kAnyone:
       return true;
-    case Who::kToken:
+    case AccessRule::kToken:
       return is_admin || (claims != nullptr && (!role || claims->grant.role == *role));
-    case Who::kAdmin:
+    case AccessRule::kAdmin:
       return is_admin;
-    case Who::kNobody:
+    case AccessRule::kNobody:
       break;
   }
   return false;
 }
 
 struct RequiredAccess {
-  Who who = Who::kAdmin;  // is permitted
+  AccessRule rule = AccessRule::kAdmin;  // is permitted
   TokenRole role = TokenRole::kAdmin;
   const char* what = "";  // verb for the refusal
 };
@@ -51,17 +51,17 @@ RequiredAccess required_of(const pb::Join& join, const RoomSettings& room) {
       if (join.viewer().relays()) return {room.view, TokenRole::kHub, "serve on"};
       return {room.view, TokenRole::kViewer, "view"};
     default:
-      return {Who::kAdmin, TokenRole::kAdmin, "place sensors in"};
+      return {AccessRule::kAdmin, TokenRole::kAdmin, "place sensors in"};
   }
 }
 
 Refusal refuse(const RequiredAccess& required, const Claims* claims) {
   const std::string what = required.what;
-  if (required.who == Who::kNobody) {
+  if (required.rule == AccessRule::kNobody) {
     return {pb::ERROR_NOT_ALLOWED, "nobody may " + what + " this room"};
   }
   const std::string needed(
-      name_of(required.who == Who::kAdmin ? TokenRole::kAdmin : required.role));
+      name_of(required.rule == AccessRule::kAdmin ? TokenRole::kAdmin : required.role));
   if (claims == nullptr) {
     return {pb::ERROR_UNAUTHENTICATED, "to " + what + " this room takes a token for role " +
                                            needed + "; ask its owner for one"};
@@ -106,7 +106,7 @@ Verdict<Entry> decide_entry(const pb::Join& join, const Claims* claims, const Fi
   const RoomSettings* room = find_room(name);
   if (room == nullptr) return no_such_room();
   const RequiredAccess required = required_of(join, *room);
-  if (!meets(required.who, claims, required.role)) {
+  if (!meets(required.rule, claims, required.role)) {
     return may_know_of(*room, claims) ? refuse(required, claims) : no_such_room();
   }
   if (is_another_sensors(join, claims)) {

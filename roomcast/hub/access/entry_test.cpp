@@ -40,9 +40,13 @@ class EntryTest : public testing::Test {
  protected:
   EntryTest() {
     rooms["open"] = {.name = "open"};
-    rooms["lab"] = {.name = "lab", .send = Who::kToken, .view = Who::kToken, .record = Who::kAdmin};
-    rooms["cellar"] = {.name = "cellar", .listed = false, .send = Who::kToken, .view = Who::kToken};
-    rooms["hall"] = {.name = "hall", .listed = false};
+    rooms["lab"] = {.name = "lab",
+                    .send = AccessRule::kToken,
+                    .view = AccessRule::kToken,
+                    .record = AccessRule::kAdmin};
+    rooms["cellar"] = {
+        .name = "cellar", .listed = false, .send = AccessRule::kToken, .view = AccessRule::kToken};
+    rooms["registry"] = {.name = "registry", .listed = false};
   }
 
   Verdict<Entry> decide(const pb::Join& join, const std::optional<Claims>& shown = {}) {
@@ -62,14 +66,14 @@ class EntryTest : public testing::Test {
   std::string only_listed;
 };
 
-TEST_F(EntryTest, an_open_room_takes_everybody_but_lets_nobody_place) {
+TEST_F(EntryTest, an_open_room_admits_everybody_without_placing_rights) {
   EXPECT_EQ(fault(viewer("open")), pb::ERROR_UNSPECIFIED);
   EXPECT_EQ(fault(sensor("open", "left")), pb::ERROR_UNSPECIFIED);
   EXPECT_EQ(fault(aligner("open")), pb::ERROR_UNAUTHENTICATED);
   EXPECT_FALSE(std::get<Entry>(decide(viewer("open"))).may_place);
 }
 
-TEST_F(EntryTest, who_has_no_token_is_told_to_get_one) {
+TEST_F(EntryTest, a_refusal_without_token_asks_for_one) {
   EXPECT_EQ(fault(viewer("lab")), pb::ERROR_UNAUTHENTICATED);
   EXPECT_EQ(fault(sensor("lab", "left")), pb::ERROR_UNAUTHENTICATED);
 }
@@ -91,7 +95,7 @@ TEST_F(EntryTest, a_token_for_another_role_is_refused) {
   EXPECT_EQ(fault(aligner("lab"), claims("lab", TokenRole::kViewer)), pb::ERROR_WRONG_ROLE);
 }
 
-TEST_F(EntryTest, to_serve_a_room_on_takes_a_hubs_token_where_looking_takes_a_viewers) {
+TEST_F(EntryTest, relaying_needs_a_hub_token_where_viewing_needs_a_viewer_token) {
   pb::Join hub = viewer("lab");
   hub.mutable_viewer()->set_relays(true);
   EXPECT_EQ(fault(hub), pb::ERROR_UNAUTHENTICATED);
@@ -112,11 +116,11 @@ TEST_F(EntryTest, an_admin_may_do_everything_in_its_room) {
   EXPECT_EQ(fault(viewer("cellar"), claims("*", TokenRole::kAdmin)), pb::ERROR_UNSPECIFIED);
 }
 
-TEST_F(EntryTest, only_an_admins_star_is_all_rooms) {
+TEST_F(EntryTest, only_an_admin_token_can_be_for_all_rooms) {
   EXPECT_EQ(fault(viewer("lab"), claims("*", TokenRole::kViewer)), pb::ERROR_WRONG_ROOM);
 }
 
-TEST_F(EntryTest, a_private_room_answers_strangers_as_one_that_is_not_there) {
+TEST_F(EntryTest, a_private_room_looks_nonexistent_to_strangers) {
   for (const auto& [there, nowhere] :
        {std::pair{viewer("cellar"), viewer("nowhere")},
         std::pair{sensor("cellar", "left"), sensor("nowhere", "left")},
@@ -128,31 +132,31 @@ TEST_F(EntryTest, a_private_room_answers_strangers_as_one_that_is_not_there) {
   }
 }
 
-TEST_F(EntryTest, a_room_that_is_not_listed_can_still_be_open_to_who_knows_its_name) {
-  EXPECT_EQ(fault(viewer("hall")), pb::ERROR_UNSPECIFIED);
-  EXPECT_FALSE(may_know_of(rooms["hall"], nullptr));
+TEST_F(EntryTest, an_unlisted_room_can_be_open) {
+  EXPECT_EQ(fault(viewer("registry")), pb::ERROR_UNSPECIFIED);
+  EXPECT_FALSE(may_know_of(rooms["registry"], nullptr));
 }
 
-TEST_F(EntryTest, a_sensors_token_with_a_name_is_good_for_that_sensor_only) {
+TEST_F(EntryTest, a_named_sensor_token_admits_that_sensor_only) {
   const Claims token = claims("lab", TokenRole::kSensor, "left");
   EXPECT_EQ(fault(sensor("lab", "right"), token), pb::ERROR_WRONG_ROLE);
   EXPECT_TRUE(std::get<Entry>(decide(sensor("lab", "left"), token)).takes_over_name);
 }
 
-TEST_F(EntryTest, who_may_record_is_the_rooms_rule) {
+TEST_F(EntryTest, the_room_decides_the_right_to_record) {
   EXPECT_EQ(fault(viewer("lab", true), claims("lab", TokenRole::kViewer)), pb::ERROR_NOT_ALLOWED);
   EXPECT_EQ(fault(viewer("open", true)), pb::ERROR_UNSPECIFIED);
-  rooms["open"].record = Who::kNobody;
+  rooms["open"].record = AccessRule::kNobody;
   EXPECT_EQ(fault(viewer("open", true)), pb::ERROR_NOT_ALLOWED);
   EXPECT_EQ(fault(viewer("open", true), claims("open", TokenRole::kAdmin)), pb::ERROR_NOT_ALLOWED);
 }
 
-TEST_F(EntryTest, a_closed_room_is_closed_to_everybody) {
-  rooms["lab"].view = Who::kNobody;
+TEST_F(EntryTest, a_closed_room_admits_no_client) {
+  rooms["lab"].view = AccessRule::kNobody;
   EXPECT_EQ(fault(viewer("lab"), claims("lab", TokenRole::kAdmin)), pb::ERROR_NOT_ALLOWED);
 }
 
-TEST_F(EntryTest, who_names_no_room_gets_the_tokens_or_the_only_one) {
+TEST_F(EntryTest, an_empty_room_name_means_the_tokens_or_the_only_room) {
   EXPECT_EQ(fault(viewer("")), pb::ERROR_NO_SUCH_ROOM);
   EXPECT_EQ(std::get<Entry>(decide(viewer(""), claims("lab", TokenRole::kViewer))).room, "lab");
   only_listed = "open";

@@ -11,7 +11,7 @@ TEST(OneTimeCode, no_two_are_the_same) {
   EXPECT_NE(make_token_id(), make_token_id());
 }
 
-TEST(OneTimeCode, can_be_typed_as_people_type) {
+TEST(OneTimeCode, is_read_as_people_type_it) {
   const auto digest = digest_of_code("7K1M-90XA-0C4T-VW3H");
   ASSERT_TRUE(digest);
   EXPECT_EQ(digest_of_code("7k1m90xa0c4tvw3h"), digest);
@@ -20,11 +20,11 @@ TEST(OneTimeCode, can_be_typed_as_people_type) {
   EXPECT_NE(digest_of_code("7K1M-90XA-0C4T-VW3J"), digest);
 }
 
-TEST(OneTimeCode, every_code_that_is_made_is_one) {
+TEST(OneTimeCode, every_new_code_is_valid) {
   for (int i = 0; i < 50; ++i) EXPECT_TRUE(digest_of_code(make_one_time_code()));
 }
 
-TEST(OneTimeCode, what_is_no_code_has_no_digest) {
+TEST(OneTimeCode, an_invalid_code_has_no_digest) {
   for (const char* text : {"", "7K1M", "7K1M-90XA-0C4T-VW3H-0", "7K1M-90XA-0C4T-VW3U", "....",
                            "7K1M-90XA-0C4T-VW\xC3H"}) {
     EXPECT_FALSE(digest_of_code(text)) << text;

@@ -34,7 +34,7 @@ std::optional<Claims> read_claims(jwt_t* token) {
 
 Refusal invalid() {
   return {wire::pb::ERROR_TOKEN_INVALID,
-          "this token was not made by this hub, or it was changed since; ask for a new one"};
+          "this hub has not issued this token, or it was changed since; ask for a new one"};
 }
 
 }  // namespace

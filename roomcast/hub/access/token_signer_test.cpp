@@ -42,7 +42,7 @@ std::string forged(jwt_alg_t algorithm, const std::string& secret) {
   return result;
 }
 
-TEST(TokenSigner, what_it_signed_it_reads_back) {
+TEST(TokenSigner, reads_the_tokens_that_it_signed) {
   const TokenSigner signer(kSecret);
   const auto verdict = signer.verify(signer.sign(for_a_viewer()), kNow);
   const auto& claims = std::get<Claims>(verdict);
@@ -53,13 +53,13 @@ TEST(TokenSigner, what_it_signed_it_reads_back) {
   EXPECT_EQ(claims.expires_at, kNow + 60);
 }
 
-TEST(TokenSigner, a_token_holds_until_its_last_second) {
+TEST(TokenSigner, a_token_is_valid_until_its_last_second) {
   const std::string token = TokenSigner(kSecret).sign(for_a_viewer());
   EXPECT_EQ(token_fault(token, kNow + 59), pb::ERROR_UNSPECIFIED);
   EXPECT_EQ(token_fault(token, kNow + 60), pb::ERROR_TOKEN_EXPIRED);
 }
 
-TEST(TokenSigner, every_changed_letter_is_noticed) {
+TEST(TokenSigner, detects_every_changed_letter) {
   const std::string token = TokenSigner(kSecret).sign(for_a_viewer());
   for (std::size_t i = 0; i < token.size(); ++i) {
     std::string changed = token;
@@ -84,13 +84,13 @@ TEST(TokenSigner, another_algorithm_is_refused_even_with_the_right_secret) {
   EXPECT_EQ(token_fault(forged(JWT_ALG_HS512, secret)), pb::ERROR_TOKEN_INVALID);
 }
 
-TEST(TokenSigner, a_token_without_an_end_has_ended) {
+TEST(TokenSigner, refuses_a_token_without_expiry) {
   Claims claims = for_a_viewer();
   claims.expires_at = 0;
   EXPECT_EQ(token_fault(TokenSigner(kSecret).sign(claims)), pb::ERROR_TOKEN_EXPIRED);
 }
 
-TEST(TokenSigner, nonsense_is_refused) {
+TEST(TokenSigner, refuses_invalid_tokens) {
   const std::vector<std::string> nonsense = {
       "", ".", "..", "a.b.c", "e30.e30.", std::string(9999, 'a'), std::string("\0\0\0", 3)};
   for (const auto& text : nonsense) EXPECT_EQ(token_fault(text), pb::ERROR_TOKEN_INVALID) << text;

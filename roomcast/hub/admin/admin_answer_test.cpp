@@ -21,7 +21,7 @@ TEST(AdminAnswer, a_refusal_has_a_status_a_code_and_a_sentence) {
   EXPECT_EQ(error_answer(Error{ErrorCode::kUnavailable, ""}).status, 503);
 }
 
-TEST(AdminAnswer, who_only_looks_is_not_told_who_may_send_or_where_people_enter) {
+TEST(AdminAnswer, viewers_do_not_see_sending_rights_or_start_positions) {
   const Json brief = brief_room({.name = "lab", .title = "The lab"}, {});
   EXPECT_EQ(brief["title"], "The lab");
   EXPECT_FALSE(brief.contains("send"));
@@ -29,7 +29,7 @@ TEST(AdminAnswer, who_only_looks_is_not_told_who_may_send_or_where_people_enter)
   EXPECT_TRUE(whole_room({.name = "lab"}, {}).contains("send"));
 }
 
-TEST(AdminAnswer, a_sensor_says_only_what_is_known) {
+TEST(AdminAnswer, a_sensor_has_only_known_fields) {
   SensorStats sensor{.id = SensorId{3}, .name = "left", .online = true, .frames = 9};
   sensor.clock_error_s = 0.002;
   const Json json = sensor_json(sensor, "192.0.2.7:5");
@@ -40,7 +40,7 @@ TEST(AdminAnswer, a_sensor_says_only_what_is_known) {
   EXPECT_FALSE(sensor_json({.name = "off"}, "").contains("address"));
 }
 
-TEST(AdminAnswer, a_viewer_and_a_token_are_told_whole) {
+TEST(AdminAnswer, a_viewer_and_a_token_have_all_fields) {
   const Json viewer = viewer_json({.id = ViewerId{4}, .name = "Ada", .token_id = "t"}, "a");
   EXPECT_EQ(viewer["token_id"], "t");
   const Json token =
@@ -51,7 +51,7 @@ TEST(AdminAnswer, a_viewer_and_a_token_are_told_whole) {
   EXPECT_EQ(token["once"], false);
 }
 
-TEST(AdminAnswer, bytes_that_are_no_text_do_no_harm) {
+TEST(AdminAnswer, invalid_utf8_is_answered_as_valid_json) {
   EXPECT_EQ(json_answer(200, {{"name", "\xff"}}).status, 200);
 }
 

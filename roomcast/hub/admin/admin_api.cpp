@@ -20,22 +20,22 @@ namespace pb = wire::pb;
 
 net::HttpResponse no_such_room_response() {
   return error_answer(404, "not_found",
-                      "there is no such room on this hub, or it asks for a token that is for it");
+                      "this hub has no such room, or the room needs a token of its own");
 }
 
 net::HttpResponse not_yours() {
-  return error_answer(403, "wrong_role", "this takes an admin's token that covers it");
+  return error_answer(403, "wrong_role", "this request needs an admin's token for it");
 }
 
 net::HttpResponse is_nowhere(NoRoute reason) {
   if (reason == NoRoute::kUnknownMethod) {
-    return error_answer(405, "method_not_allowed", "this address does not take this method");
+    return error_answer(405, "method_not_allowed", "this address does not support this method");
   }
   return error_answer(404, "not_found", "there is nothing at this address");
 }
 
 net::HttpResponse keeps_no_recordings() {
-  return error_answer(409, "conflict", "this hub has no folder to keep recordings in");
+  return error_answer(409, "conflict", "this hub has no folder for recordings");
 }
 
 /// Nothing: the body is not a JSON object.
@@ -46,18 +46,18 @@ std::optional<Json> object_in(const std::string& body) {
 }
 
 net::HttpResponse no_object() {
-  return error_answer(400, "bad_request", "the body has to be a JSON object");
+  return error_answer(400, "bad_request", "the body must be a JSON object");
 }
 
 }  // namespace
 
-AdminApi::AdminApi(RoomRegistry& hall, StoreWorker& store_worker, std::string version,
+AdminApi::AdminApi(RoomRegistry& registry, StoreWorker& store_worker, std::string version,
                    RoomRecordings* recordings, LogSink log)
-    : registry_(hall),
+    : registry_(registry),
       store_worker_(store_worker),
       version_(std::move(version)),
       recordings_(recordings),
-      auth_(hall, store_worker, std::move(log)) {}
+      auth_(registry, store_worker, std::move(log)) {}
 
 void AdminApi::answer(const net::HttpRequest& request, net::Respond respond) {
   const auto found = match_admin_route(request.method, request.path);
@@ -182,9 +182,11 @@ void AdminApi::open_room(const Call& call) {
   if (!json->contains("name")) {
     return call.respond(error_answer(400, "bad_request", "a room needs a name"));
   }
-  const auto settings = changed(
-      {.send = Who::kToken, .view = Who::kToken, .record = Who::kAdmin, .share = Who::kAdmin},
-      *json);
+  const auto settings = changed({.send = AccessRule::kToken,
+                                 .view = AccessRule::kToken,
+                                 .record = AccessRule::kAdmin,
+                                 .share = AccessRule::kAdmin},
+                                *json);
   if (!settings) return call.respond(error_answer(settings.error()));
   if (registry_.find(settings->name) != nullptr) {
     return call.respond(error_answer(409, "conflict", "there is a room of this name already"));
@@ -199,14 +201,14 @@ void AdminApi::change_room(const Call& call) {
   const auto settings = changed(before, *json);
   if (!settings) return call.respond(error_answer(settings.error()));
   if (settings->name != before.name) {
-    return call.respond(error_answer(400, "bad_request", "a room keeps its name"));
+    return call.respond(error_answer(400, "bad_request", "the name of a room cannot be changed"));
   }
   keep_room(call, *settings, false);
 }
 
 void AdminApi::keep_room(const Call& call, const RoomSettings& settings, bool is_new) {
   store_worker_.ask(
-      [settings](HubStore& book) { return book.rooms().save(settings); },
+      [settings](HubStore& store) { return store.rooms().save(settings); },
       [this, call, settings, is_new](const Status& kept) {
         if (!kept) return call.respond(error_answer(kept.error()));
         const bool is_there = registry_.find(settings.name) != nullptr;
@@ -224,12 +226,12 @@ void AdminApi::keep_room(const Call& call, const RoomSettings& settings, bool is
 void AdminApi::close_room(const Call& call) {
   if (!call.is_hub_admin()) return call.respond(not_yours());
   if (registry_.is_configured(call.parameter(0))) {
-    return call.respond(error_answer(
-        409, "conflict",
-        "this room is in the hub's configuration and would be back with its next start; take it "
-        "out there"));
+    return call.respond(error_answer(409, "conflict",
+                                     "this room is in the hub's configuration and would be opened "
+                                     "again at the next start; remove it "
+                                     "from the configuration"));
   }
-  store_worker_.ask([name = call.parameter(0)](HubStore& book) { return book.forget_room(name); },
+  store_worker_.ask([name = call.parameter(0)](HubStore& store) { return store.forget_room(name); },
                     [this, call](const Status& forgotten) {
                       if (!forgotten) return call.respond(error_answer(forgotten.error()));
                       if (registry_.find(call.parameter(0)) != nullptr)
@@ -267,15 +269,16 @@ void AdminApi::end_sensor(const Call& call) {
   call.respond(no_content());
 }
 
-/// The store has all sensors that ever joined, so its answer tells whether this one did. The room
+/// The store has all sensors that ever joined, so its answer shows whether this one did. The room
 /// forgets first, so that a pending save of the sensor runs before it is deleted from the store.
 void AdminApi::forget_sensor(const Call& call) {
   const std::string &room = call.parameter(0), &sensor = call.parameter(1);
   registry_.forget_sensor(room, sensor);
-  store_worker_.ask([room, sensor](HubStore& book) { return book.sensors().forget(room, sensor); },
-                    [call](const Status& forgotten) {
-                      call.respond(forgotten ? no_content() : error_answer(forgotten.error()));
-                    });
+  store_worker_.ask(
+      [room, sensor](HubStore& store) { return store.sensors().forget(room, sensor); },
+      [call](const Status& forgotten) {
+        call.respond(forgotten ? no_content() : error_answer(forgotten.error()));
+      });
 }
 
 void AdminApi::end_viewer(const Call& call) {
@@ -302,9 +305,9 @@ void AdminApi::recording(const Call& call) const {
 void AdminApi::start_recording(const Call& call) {
   const std::string& room = call.parameter(0);
   if (recordings_ == nullptr) return call.respond(keeps_no_recordings());
-  if (registry_.find(room)->record == Who::kNobody) {
+  if (registry_.find(room)->record == AccessRule::kNobody) {
     return call.respond(
-        error_answer(403, "wrong_role", "nobody may record this room; its settings say so"));
+        error_answer(403, "wrong_role", "the settings of this room forbid recording"));
   }
   if (!recordings_->start(room)) {
     return call.respond(error_answer(409, "conflict", "this room is being recorded already"));
@@ -325,13 +328,14 @@ void AdminApi::stop_recording(const Call& call) {
 
 void AdminApi::list_tokens(const Call& call) {
   if (call.claims->grant.role != TokenRole::kAdmin) return call.respond(not_yours());
-  store_worker_.ask([room = call.claims->grant.room](HubStore& book) { return book.tokens(room); },
-                    [call](const Result<std::vector<IssuedToken>>& tokens) {
-                      if (!tokens) return call.respond(error_answer(tokens.error()));
-                      Json list = Json::array();
-                      for (const IssuedToken& token : *tokens) list.push_back(token_json(token));
-                      call.respond(json_answer(200, {{"tokens", std::move(list)}}));
-                    });
+  store_worker_.ask(
+      [room = call.claims->grant.room](HubStore& store) { return store.tokens(room); },
+      [call](const Result<std::vector<IssuedToken>>& tokens) {
+        if (!tokens) return call.respond(error_answer(tokens.error()));
+        Json list = Json::array();
+        for (const IssuedToken& token : *tokens) list.push_back(token_json(token));
+        call.respond(json_answer(200, {{"tokens", std::move(list)}}));
+      });
 }
 
 void AdminApi::make_token(const Call& call) {
@@ -340,7 +344,7 @@ void AdminApi::make_token(const Call& call) {
   const auto wanted = read_token_request(*json);
   if (!wanted) return call.respond(error_answer(wanted.error()));
   if (!call.is_admin_of(wanted->grant.room)) return call.respond(not_yours());
-  store_worker_.ask([wanted = *wanted](HubStore& book) { return make_token_for(wanted, book); },
+  store_worker_.ask([wanted = *wanted](HubStore& store) { return make_token_for(wanted, store); },
                     [call](const Result<Json>& made) {
                       call.respond(made ? json_answer(201, *made) : error_answer(made.error()));
                     });
@@ -350,13 +354,13 @@ void AdminApi::revoke_token(const Call& call) {
   if (call.claims->grant.role != TokenRole::kAdmin) return call.respond(not_yours());
   const std::string& id = call.parameter(0);
   store_worker_.ask(
-      [id, grant = call.claims->grant](HubStore& book) -> Status {
-        const auto token = book.token(id);
+      [id, grant = call.claims->grant](HubStore& store) -> Status {
+        const auto token = store.token(id);
         if (!token) return token.error();
         if (!covers(grant, token->claims.grant.room)) {  // another room's: as if there were none
-          return Error{ErrorCode::kNotFound, "no token \"" + id + "\" was made here"};
+          return Error{ErrorCode::kNotFound, "this hub has issued no token \"" + id + "\""};
         }
-        return book.revoke(id);
+        return store.revoke(id);
       },
       [this, call, id](const Status& revoked) {
         if (!revoked) return call.respond(error_answer(revoked.error()));

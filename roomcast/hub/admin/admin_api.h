@@ -23,7 +23,7 @@ namespace roomcast::hub {
 class AdminApi {
  public:
   /// `recordings`: null if rooms cannot be recorded.
-  AdminApi(RoomRegistry& hall, StoreWorker& store_worker, std::string version,
+  AdminApi(RoomRegistry& registry, StoreWorker& store_worker, std::string version,
            RoomRecordings* recordings, LogSink log = {});
 
   void answer(const net::HttpRequest& request, net::Respond respond);

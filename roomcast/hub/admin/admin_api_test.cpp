@@ -45,8 +45,8 @@ class FakeRecordings final : public RoomRecordings {
 class AdminApiTest : public testing::Test {
  protected:
   AdminApiTest() {
-    hall.open({.name = "lab", .view = Who::kToken}, {});
-    hall.open({.name = "cellar", .listed = false, .view = Who::kToken}, {});
+    registry.open({.name = "lab", .view = AccessRule::kToken}, {});
+    registry.open({.name = "cellar", .listed = false, .view = AccessRule::kToken}, {});
   }
 
   Answer ask(const std::string& method, const std::string& path, const std::string& token = "",
@@ -74,21 +74,22 @@ class AdminApiTest : public testing::Test {
   }
 
   boost::asio::io_context io;
-  std::unique_ptr<HubStore> book = *HubStore::open(std::nullopt);
-  const std::string hub_admin = book->sign_own();
-  StoreWorker store_worker{std::move(book), io};
+  std::unique_ptr<HubStore> store = *HubStore::open(std::nullopt);
+  const std::string hub_admin = store->sign_own();
+  StoreWorker store_worker{std::move(store), io};
   std::vector<std::unique_ptr<Shard>> shards;
-  RoomRegistry hall{{.hub_version = "test", .configured_rooms = {"lab"}}, io, store_worker, shards};
+  RoomRegistry registry{
+      {.hub_version = "test", .configured_rooms = {"lab"}}, io, store_worker, shards};
   FakeRecordings recordings;
   std::map<std::string, std::string, std::less<>> logged;  // from the last line with fields
-  AdminApi api{hall, store_worker, "test", &recordings,
+  AdminApi api{registry, store_worker, "test", &recordings,
                [this](LogLevel, std::string_view, LogFields fields) {
                  for (const auto& [key, value] : fields) logged[std::string(key)] = value;
                }};
   AdminApi* asked = &api;
 };
 
-TEST_F(AdminApiTest, tells_the_log_who_changed_what_and_who_was_refused) {
+TEST_F(AdminApiTest, logs_changes_and_refusals) {
   const Answer viewer = ask("POST", "/tokens", hub_admin, {{"room", "lab"}, {"role", "viewer"}});
   ASSERT_EQ(viewer.status, 201);
   EXPECT_EQ(logged["method"], "POST");
@@ -106,7 +107,7 @@ TEST_F(AdminApiTest, tells_the_log_who_changed_what_and_who_was_refused) {
   EXPECT_EQ(logged["error"], "invalid_token");
 }
 
-TEST_F(AdminApiTest, whoever_asks_learns_of_listed_rooms_only) {
+TEST_F(AdminApiTest, anonymous_callers_see_listed_rooms_only) {
   const Answer rooms = ask("GET", "/rooms");
   ASSERT_EQ(rooms.body["rooms"].size(), 1U);
   EXPECT_EQ(rooms.body["rooms"][0]["name"], "lab");
@@ -115,7 +116,7 @@ TEST_F(AdminApiTest, whoever_asks_learns_of_listed_rooms_only) {
   EXPECT_EQ(ask("GET", "/rooms", token("cellar", TokenRole::kViewer)).body["rooms"].size(), 2U);
 }
 
-TEST_F(AdminApiTest, a_private_room_is_not_there_for_another_rooms_admin) {
+TEST_F(AdminApiTest, a_private_room_is_hidden_from_other_admins) {
   const std::string other = token("lab", TokenRole::kAdmin);
   for (const char* what : {"", "/sensors", "/viewers"}) {
     const std::string tail = what;
@@ -124,7 +125,7 @@ TEST_F(AdminApiTest, a_private_room_is_not_there_for_another_rooms_admin) {
   }
 }
 
-TEST_F(AdminApiTest, what_takes_a_token_says_so) {
+TEST_F(AdminApiTest, calls_that_need_a_token_request_it) {
   for (const AdminRoute& route : admin_routes()) {
     if (!route.needs_token) continue;
     std::string path(route.path);
@@ -142,35 +143,37 @@ TEST_F(AdminApiTest, what_takes_a_token_says_so) {
 }
 
 TEST_F(AdminApiTest, a_room_is_opened_changed_and_closed) {
-  const Answer opened = ask("POST", "/rooms", hub_admin, {{"name", "hall"}, {"max_viewers", 9}});
+  const Answer opened =
+      ask("POST", "/rooms", hub_admin, {{"name", "registry"}, {"max_viewers", 9}});
   EXPECT_EQ(opened.status, 201);
   EXPECT_EQ(opened.body["view"], "token") << "a room is closed until its owner opens it";
-  EXPECT_EQ(ask("POST", "/rooms", hub_admin, {{"name", "hall"}}).code(), "conflict");
-  const Answer changed = ask("PATCH", "/rooms/hall", hub_admin, {{"title", "The hall"}});
-  EXPECT_EQ(changed.body["title"], "The hall");
+  EXPECT_EQ(ask("POST", "/rooms", hub_admin, {{"name", "registry"}}).code(), "conflict");
+  const Answer changed = ask("PATCH", "/rooms/registry", hub_admin, {{"title", "The registry"}});
+  EXPECT_EQ(changed.body["title"], "The registry");
   EXPECT_EQ(changed.body["max_viewers"], 9);
-  EXPECT_EQ(ask("DELETE", "/rooms/hall", hub_admin).status, 204);
-  EXPECT_EQ(ask("GET", "/rooms/hall", hub_admin).code(), "not_found");
+  EXPECT_EQ(ask("DELETE", "/rooms/registry", hub_admin).status, 204);
+  EXPECT_EQ(ask("GET", "/rooms/registry", hub_admin).code(), "not_found");
 }
 
-TEST_F(AdminApiTest, a_room_of_the_configuration_is_not_closed_here) {
+TEST_F(AdminApiTest, a_configured_room_cannot_be_closed) {
   const Answer refused = ask("DELETE", "/rooms/lab", hub_admin);
   EXPECT_EQ(refused.status, 409);
   EXPECT_EQ(refused.code(), "conflict");
   EXPECT_EQ(ask("GET", "/rooms/lab", hub_admin).status, 200);
 }
 
-TEST_F(AdminApiTest, tokens_of_a_room_that_was_closed_do_not_open_another_of_its_name) {
-  ASSERT_EQ(ask("POST", "/rooms", hub_admin, {{"name", "hall"}}).status, 201);
-  const std::string before = token("hall", TokenRole::kAdmin);
-  EXPECT_EQ(ask("GET", "/rooms/hall/sensors", before).status, 200);
-  ASSERT_EQ(ask("DELETE", "/rooms/hall", hub_admin).status, 204);
-  ASSERT_EQ(ask("POST", "/rooms", hub_admin, {{"name", "hall"}}).status, 201);
-  EXPECT_EQ(ask("GET", "/rooms/hall/sensors", before).code(), "revoked");
-  EXPECT_EQ(ask("GET", "/rooms/hall/sensors", token("hall", TokenRole::kAdmin)).status, 200);
+TEST_F(AdminApiTest, tokens_of_a_closed_room_do_not_admit_to_its_successor) {
+  ASSERT_EQ(ask("POST", "/rooms", hub_admin, {{"name", "registry"}}).status, 201);
+  const std::string before = token("registry", TokenRole::kAdmin);
+  EXPECT_EQ(ask("GET", "/rooms/registry/sensors", before).status, 200);
+  ASSERT_EQ(ask("DELETE", "/rooms/registry", hub_admin).status, 204);
+  ASSERT_EQ(ask("POST", "/rooms", hub_admin, {{"name", "registry"}}).status, 201);
+  EXPECT_EQ(ask("GET", "/rooms/registry/sensors", before).code(), "revoked");
+  EXPECT_EQ(ask("GET", "/rooms/registry/sensors", token("registry", TokenRole::kAdmin)).status,
+            200);
 }
 
-TEST_F(AdminApiTest, what_makes_no_sense_is_refused_with_a_sentence) {
+TEST_F(AdminApiTest, invalid_requests_are_refused_with_a_sentence) {
   EXPECT_EQ(ask("POST", "/rooms", hub_admin, Json::array()).code(), "bad_request");
   EXPECT_EQ(ask("POST", "/rooms", hub_admin, {{"title", "nameless"}}).code(), "bad_request");
   EXPECT_EQ(ask("PATCH", "/rooms/lab", hub_admin, {{"name", "attic"}}).code(), "bad_request");
@@ -180,7 +183,7 @@ TEST_F(AdminApiTest, what_makes_no_sense_is_refused_with_a_sentence) {
   EXPECT_EQ(ask("GET", "/nothing", hub_admin).code(), "not_found");
 }
 
-TEST_F(AdminApiTest, a_rooms_admin_rules_that_room_and_no_other) {
+TEST_F(AdminApiTest, a_rooms_admin_may_change_only_that_room) {
   const std::string admin = token("lab", TokenRole::kAdmin);
   EXPECT_EQ(ask("PATCH", "/rooms/lab", admin, {{"title", "Mine"}}).status, 200);
   EXPECT_EQ(ask("GET", "/rooms/lab/sensors", admin).status, 200);
@@ -204,7 +207,7 @@ TEST_F(AdminApiTest, tokens_are_made_listed_and_revoked) {
   EXPECT_EQ(ask("DELETE", "/tokens/nobodys", hub_admin).code(), "not_found");
 }
 
-TEST_F(AdminApiTest, another_rooms_tokens_are_not_there) {
+TEST_F(AdminApiTest, tokens_of_other_rooms_are_hidden) {
   const std::string admin = token("lab", TokenRole::kAdmin);
   const Answer made = ask("POST", "/tokens", hub_admin, {{"room", "cellar"}, {"role", "viewer"}});
   EXPECT_EQ(ask("DELETE", "/tokens/" + made.body["id"].get<std::string>(), admin).code(),
@@ -212,7 +215,7 @@ TEST_F(AdminApiTest, another_rooms_tokens_are_not_there) {
   EXPECT_EQ(ask("GET", "/tokens", admin).body["tokens"].size(), 1U);
 }
 
-TEST_F(AdminApiTest, a_code_comes_with_what_follows_the_pages_address) {
+TEST_F(AdminApiTest, a_code_has_the_fragment_of_a_link) {
   const Answer made =
       ask("POST", "/tokens", hub_admin, {{"room", "lab"}, {"role", "viewer"}, {"once", true}});
   EXPECT_FALSE(made.body.contains("token"));
@@ -233,24 +236,25 @@ TEST_F(AdminApiTest, an_unused_code_is_listed_and_revoked) {
             true);
 }
 
-TEST_F(AdminApiTest, who_is_not_there_cannot_be_sent_away) {
+TEST_F(AdminApiTest, an_absent_client_cannot_be_disconnected) {
   EXPECT_EQ(ask("DELETE", "/rooms/lab/sensors/left", hub_admin).code(), "not_found");
   EXPECT_EQ(ask("DELETE", "/rooms/lab/viewers/7", hub_admin).code(), "not_found");
   EXPECT_EQ(ask("DELETE", "/rooms/lab/viewers/x", hub_admin).code(), "not_found");
 }
 
-TEST_F(AdminApiTest, a_sensor_that_is_gone_is_forgotten) {
-  ASSERT_EQ(ask("POST", "/rooms", hub_admin, {{"name", "hall"}}).status, 201);
+TEST_F(AdminApiTest, an_offline_sensor_can_be_forgotten) {
+  ASSERT_EQ(ask("POST", "/rooms", hub_admin, {{"name", "registry"}}).status, 201);
   std::optional<Status> kept;
   store_worker.ask(
       [](HubStore& kept_in) {
-        return kept_in.sensors().save("hall", std::vector{KnownSensor{"left", SensorId{0}}});
+        return kept_in.sensors().save("registry", std::vector{KnownSensor{"left", SensorId{0}}});
       },
       [&](const Status& status) { kept = status; });
-  EXPECT_EQ(ask("DELETE", "/rooms/hall/sensors/left", token("hall", TokenRole::kViewer)).code(),
-            "wrong_role");
-  EXPECT_EQ(ask("DELETE", "/rooms/hall/sensors/left", hub_admin).status, 204);
-  EXPECT_EQ(ask("DELETE", "/rooms/hall/sensors/left", hub_admin).code(), "not_found");
+  EXPECT_EQ(
+      ask("DELETE", "/rooms/registry/sensors/left", token("registry", TokenRole::kViewer)).code(),
+      "wrong_role");
+  EXPECT_EQ(ask("DELETE", "/rooms/registry/sensors/left", hub_admin).status, 204);
+  EXPECT_EQ(ask("DELETE", "/rooms/registry/sensors/left", hub_admin).code(), "not_found");
   EXPECT_TRUE(kept && kept->ok());
 }
 
@@ -265,20 +269,20 @@ TEST_F(AdminApiTest, a_room_is_recorded_from_start_to_stop) {
   EXPECT_EQ(ask("DELETE", "/rooms/lab/recording", hub_admin).body["state"], "off");
 }
 
-TEST_F(AdminApiTest, a_room_that_nobody_may_record_is_not_recorded) {
+TEST_F(AdminApiTest, an_unrecordable_room_is_not_recorded) {
   ask("PATCH", "/rooms/lab", hub_admin, {{"record", "nobody"}});
   EXPECT_EQ(ask("POST", "/rooms/lab/recording", hub_admin).code(), "wrong_role");
   EXPECT_TRUE(recordings.rooms.empty());
 }
 
-TEST_F(AdminApiTest, a_hub_that_keeps_no_rooms_says_so) {
-  AdminApi without{hall, store_worker, "test", nullptr};
+TEST_F(AdminApiTest, a_hub_without_recorder_refuses_to_record) {
+  AdminApi without{registry, store_worker, "test", nullptr};
   asked = &without;
   EXPECT_EQ(ask("GET", "/rooms/lab/recording", hub_admin).body["state"], "off");
   EXPECT_EQ(ask("POST", "/rooms/lab/recording", hub_admin).code(), "conflict");
 }
 
-TEST_F(AdminApiTest, the_hub_tells_how_it_is) {
+TEST_F(AdminApiTest, the_hub_reports_its_state) {
   const Answer status = ask("GET", "/status", hub_admin);
   EXPECT_EQ(status.body["rooms"], 2);
   EXPECT_EQ(status.body["version"], "test");

@@ -31,11 +31,11 @@ Outcome outcome_of(const net::HttpResponse& response) {
 }
 
 std::string described(const AuditedCall& call) {
-  if (call.token_id.empty()) return "somebody without a good token";
+  if (call.token_id.empty()) return "a caller without a valid token";
   return "\"" + call.name + "\" (token " + call.token_id + ")";
 }
 
-void tell(const LogSink& log, const AuditedCall& call, const net::HttpResponse& response) {
+void log_call(const LogSink& log, const AuditedCall& call, const net::HttpResponse& response) {
   const Outcome outcome = outcome_of(response);
   const bool is_done = response.status < 400;
   std::string line = described(call) + " from " + call.peer + ": " + call.method + " " + call.path +
@@ -62,7 +62,7 @@ bool is_refusal(int status) {
 net::Respond audited(const LogSink& log, AuditedCall call, net::Respond respond) {
   if (!log) return respond;
   return [log, call = std::move(call), respond = std::move(respond)](net::HttpResponse response) {
-    if (call.method != "GET" || is_refusal(response.status)) tell(log, call, response);
+    if (call.method != "GET" || is_refusal(response.status)) log_call(log, call, response);
     respond(std::move(response));
   };
 }

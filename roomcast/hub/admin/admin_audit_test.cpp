@@ -39,7 +39,7 @@ class AdminAuditTest : public testing::Test {
                                 .name = "Ada"};
 };
 
-TEST_F(AdminAuditTest, says_who_did_what_from_where_and_nothing_secret) {
+TEST_F(AdminAuditTest, logs_caller_and_action_without_secrets) {
   const auto sent = answer(makes_token, json_answer(201, {{"id", "b2"}, {"token", "sesame"}}));
   EXPECT_EQ(sent.status, 201);
   ASSERT_EQ(lines.size(), 1U);
@@ -50,22 +50,22 @@ TEST_F(AdminAuditTest, says_who_did_what_from_where_and_nothing_secret) {
   EXPECT_EQ(fields, expected);
 }
 
-TEST_F(AdminAuditTest, says_what_was_refused_and_why) {
+TEST_F(AdminAuditTest, logs_refusals_with_their_reason) {
   answer({.method = "GET", .path = "/api/v1/tokens", .peer = "10.0.0.7"},
          error_answer(401, "unauthenticated", "this takes an admin's token"));
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0],
-            "somebody without a good token from 10.0.0.7: GET /api/v1/tokens is refused: this "
+            "a caller without a valid token from 10.0.0.7: GET /api/v1/tokens is refused: this "
             "takes an admin's token");
   EXPECT_EQ(fields["error"], "unauthenticated");
 }
 
-TEST_F(AdminAuditTest, who_only_looks_is_not_told_of) {
+TEST_F(AdminAuditTest, reads_are_not_logged) {
   answer({.method = "GET", .path = "/api/v1/rooms", .peer = "10.0.0.7"}, json_answer(200, {}));
   EXPECT_TRUE(lines.empty());
 }
 
-TEST_F(AdminAuditTest, without_a_log_nobody_is_told) {
+TEST_F(AdminAuditTest, works_without_a_log) {
   log = {};
   EXPECT_EQ(answer(makes_token, json_answer(201, {})).status, 201);
 }

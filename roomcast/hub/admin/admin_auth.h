@@ -28,7 +28,7 @@ struct Caller {
 
 class AdminAuth {
  public:
-  AdminAuth(RoomRegistry& hall, StoreWorker& store_worker, LogSink log = {});
+  AdminAuth(RoomRegistry& registry, StoreWorker& store_worker, LogSink log = {});
 
   /// Calls `enter` with the caller, unless the request is refused because its token is bad, or
   /// missing where one is required.

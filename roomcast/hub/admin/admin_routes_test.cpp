@@ -75,7 +75,7 @@ std::set<std::string> specified_routes() {
   return routes;
 }
 
-TEST(AdminRoutes, are_those_of_the_specification) {
+TEST(AdminRoutes, match_the_specification) {
   std::set<std::string> routes;
   for (const AdminRoute& route : admin_routes()) {
     routes.insert(std::string(route.method) + " " + std::string(route.path));
@@ -83,7 +83,7 @@ TEST(AdminRoutes, are_those_of_the_specification) {
   EXPECT_EQ(routes, specified_routes());
 }
 
-TEST(AdminRoutes, specification_names_nothing_that_it_does_not_define) {
+TEST(AdminRoutes, specification_defines_all_that_it_references) {
   EXPECT_FALSE(specified_references().empty());
   EXPECT_THAT(specified_components(), IsSupersetOf(specified_references()));
 }
@@ -96,7 +96,7 @@ TEST(AdminRoutes, are_found_with_their_parameters) {
   EXPECT_THAT(find("GET", "/api/v1/rooms")->parameters, IsEmpty());
 }
 
-TEST(AdminRoutes, what_is_not_there_is_told_apart_from_what_cannot_be_done_there) {
+TEST(AdminRoutes, an_unknown_path_differs_from_an_unsupported_method) {
   EXPECT_EQ(std::get<NoRoute>(match_admin_route("GET", "/api/v1/nothing")), NoRoute::kUnknownPath);
   EXPECT_EQ(std::get<NoRoute>(match_admin_route("GET", "/api/v2/rooms")), NoRoute::kUnknownPath);
   EXPECT_EQ(std::get<NoRoute>(match_admin_route("GET", "/api/v1/rooms/")), NoRoute::kUnknownPath);

@@ -49,16 +49,16 @@ Result<TokenRequest> read_token_request(const Json& json) {
   return request;
 }
 
-Result<Json> make_token_for(const TokenRequest& request, HubStore& book) {
+Result<Json> make_token_for(const TokenRequest& request, HubStore& store) {
   if (request.once) {
-    const auto made = book.issue_code(request.grant, request.ttl);
+    const auto made = store.issue_code(request.grant, request.ttl);
     if (!made) return made.error();
     return Json{{"id", made->id},
                 {"code", made->code},
                 {"fragment", link_fragment(request.grant.room, made->code)},
                 {"expires_at", made->expires_at}};
   }
-  const auto made = book.issue(request.grant, request.ttl);
+  const auto made = store.issue(request.grant, request.ttl);
   if (!made) return made.error();
   return Json{
       {"id", made->claims.id}, {"token", made->token}, {"expires_at", made->claims.expires_at}};

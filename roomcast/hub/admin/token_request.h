@@ -22,7 +22,7 @@ struct TokenRequest {
 [[nodiscard]] Result<TokenRequest> read_token_request(const nlohmann::json& json);
 
 /// Issues a token or code and returns it as a NewToken. Errors of HubStore::issue.
-[[nodiscard]] Result<nlohmann::json> make_token_for(const TokenRequest& request, HubStore& book);
+[[nodiscard]] Result<nlohmann::json> make_token_for(const TokenRequest& request, HubStore& store);
 
 /// "#room=R&code=C", to be appended to a page's address: browsers do not send fragments.
 [[nodiscard]] std::string link_fragment(const std::string& room, const std::string& code);

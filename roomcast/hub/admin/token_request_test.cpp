@@ -13,7 +13,7 @@ std::string request_fault(const Json& json) {
   return request ? "" : request.error().message;
 }
 
-TEST(TokenRequest, says_room_role_name_and_for_how_long) {
+TEST(TokenRequest, has_room_role_name_and_duration) {
   const auto request = read_token_request(
       {{"room", "lab"}, {"role", "sensor"}, {"name", "left"}, {"ttl_s", 60}, {"once", true}});
   ASSERT_TRUE(request.ok());
@@ -23,7 +23,7 @@ TEST(TokenRequest, says_room_role_name_and_for_how_long) {
   EXPECT_EQ(read_token_request({{"room", "a"}, {"role", "viewer"}})->ttl, TokenRequest::kTtl);
 }
 
-TEST(TokenRequest, what_is_wrong_is_named) {
+TEST(TokenRequest, names_the_wrong_field) {
   EXPECT_NE(request_fault({{"room", "lab"}}), "");
   EXPECT_NE(request_fault({{"role", "viewer"}}), "");
   EXPECT_NE(request_fault({{"room", "lab"}, {"role", "king"}}).find("role"), std::string::npos);
@@ -34,13 +34,13 @@ TEST(TokenRequest, what_is_wrong_is_named) {
 }
 
 TEST(TokenRequest, becomes_a_token_or_a_code_with_a_link) {
-  const auto book = *HubStore::open(std::nullopt);
-  const auto token = make_token_for({.grant = {.room = "my lab"}}, *book);
-  EXPECT_EQ(refusal(book->check((*token)["token"])), nullptr);
-  const auto code = make_token_for({.grant = {.room = "my lab"}, .once = true}, *book);
+  const auto store = *HubStore::open(std::nullopt);
+  const auto token = make_token_for({.grant = {.room = "my lab"}}, *store);
+  EXPECT_EQ(refusal(store->check((*token)["token"])), nullptr);
+  const auto code = make_token_for({.grant = {.room = "my lab"}, .once = true}, *store);
   EXPECT_EQ((*code)["fragment"], "#room=my%20lab&code=" + (*code)["code"].get<std::string>());
-  EXPECT_EQ(refusal(book->redeem((*code)["code"])), nullptr);
-  EXPECT_FALSE(make_token_for({.grant = {.room = ""}}, *book).ok());
+  EXPECT_EQ(refusal(store->redeem((*code)["code"])), nullptr);
+  EXPECT_FALSE(make_token_for({.grant = {.room = ""}}, *store).ok());
 }
 
 }  // namespace

@@ -266,7 +266,7 @@ Result<HubConfig> read_environment(HubConfig config,
   return config;
 }
 
-Result<std::vector<RoomSettings>> rooms_of(const HubConfig& config, Who access) {
+Result<std::vector<RoomSettings>> rooms_of(const HubConfig& config, AccessRule access) {
   const RoomSettings open_ends{.send = access, .view = access, .record = access, .share = access};
   std::vector<RoomSettings> rooms;
   std::set<std::string> names;

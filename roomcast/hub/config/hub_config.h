@@ -65,7 +65,8 @@ struct HubConfig {
     HubConfig config, const std::function<const char*(const char* name)>& get);
 
 /// The configured rooms. `access` is the default of permissions that a room does not set.
-[[nodiscard]] Result<std::vector<RoomSettings>> rooms_of(const HubConfig& config, Who access);
+[[nodiscard]] Result<std::vector<RoomSettings>> rooms_of(const HubConfig& config,
+                                                         AccessRule access);
 
 /// kInvalidArgument: an invalid value.
 [[nodiscard]] Status check(const HubConfig& config);

@@ -21,7 +21,7 @@ std::string config_fault(std::string_view text) {
   return config ? "" : config.error().message;
 }
 
-TEST(HubConfig, says_everything_that_a_hub_can_be_told) {
+TEST(HubConfig, reads_every_field) {
   const HubConfig config = parsed(R"(
 listen = "0.0.0.0:7600"
 threads = 2
@@ -47,17 +47,17 @@ view = "anyone"
   EXPECT_EQ(config.tls_key, "b.pem");
   EXPECT_EQ(config.hosts, std::vector<std::string>{"hub.example.org"});
   EXPECT_EQ(config.ban_after, 3);
-  const auto rooms = *rooms_of(config, Who::kToken);
+  const auto rooms = *rooms_of(config, AccessRule::kToken);
   ASSERT_EQ(rooms.size(), 2U);
   EXPECT_EQ(rooms[0].max_viewers, 20U);
   EXPECT_EQ(rooms[0].start_positions.at(0).x_m, 1.5);
-  EXPECT_EQ(rooms[0].view, Who::kToken) << "what it leaves open";
-  EXPECT_EQ(rooms[1].view, Who::kAnyone);
+  EXPECT_EQ(rooms[0].view, AccessRule::kToken) << "what it leaves open";
+  EXPECT_EQ(rooms[1].view, AccessRule::kAnyone);
   EXPECT_FALSE(rooms[1].listed);
 }
 
 TEST(HubConfig, without_rooms_there_is_one) {
-  const auto rooms = *rooms_of({}, Who::kAnyone);
+  const auto rooms = *rooms_of({}, AccessRule::kAnyone);
   ASSERT_EQ(rooms.size(), 1U);
   EXPECT_EQ(rooms[0].name, "room");
 }
@@ -85,7 +85,7 @@ TEST(HubConfig, each_mistake_is_one_sentence_with_its_line) {
   EXPECT_NE(config_fault("listen = ").find("line 1"), std::string::npos);
 }
 
-TEST(HubConfig, sites_names_and_addresses_are_read_as_they_are_usually_written) {
+TEST(HubConfig, reads_usual_spellings_of_origins_names_and_addresses) {
   EXPECT_EQ(
       config_fault("[access]\norigins = [\"https://rooms.example.org\", \"http://[::1]:80\"]"), "");
   EXPECT_NE(config_fault("[access]\norigins = [\"https://rooms.example.org/\"]"), "");
@@ -99,7 +99,8 @@ TEST(HubConfig, sites_names_and_addresses_are_read_as_they_are_usually_written) 
 
 TEST(HubConfig, two_rooms_of_one_name_are_refused) {
   EXPECT_FALSE(
-      rooms_of(parsed("[[room]]\nname = \"a\"\n[[room]]\nname = \"a\"\n"), Who::kAnyone).ok());
+      rooms_of(parsed("[[room]]\nname = \"a\"\n[[room]]\nname = \"a\"\n"), AccessRule::kAnyone)
+          .ok());
 }
 
 TEST(HubConfig, the_environment_overrides_the_file) {

@@ -18,10 +18,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array<std::pair<Who, std::string_view>, 4> kWho = {{{Who::kAnyone, "anyone"},
-                                                                   {Who::kToken, "token"},
-                                                                   {Who::kAdmin, "admin"},
-                                                                   {Who::kNobody, "nobody"}}};
+constexpr std::array<std::pair<AccessRule, std::string_view>, 4> kAccessRules = {
+    {{AccessRule::kAnyone, "anyone"},
+     {AccessRule::kToken, "token"},
+     {AccessRule::kAdmin, "admin"},
+     {AccessRule::kNobody, "nobody"}}};
 constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 // Readers of one value each. False: the value has another type.
@@ -50,9 +51,9 @@ bool read(const Json& json, double& number) {
   return std::isfinite(number) && std::abs(number) <= wire::kMaxPosition_m;
 }
 
-bool read(const Json& json, Who& who) {
-  const auto found = json.is_string() ? who_is(json.get<std::string>()) : std::nullopt;
-  if (found) who = *found;
+bool read(const Json& json, AccessRule& rule) {
+  const auto found = json.is_string() ? access_rule_named(json.get<std::string>()) : std::nullopt;
+  if (found) rule = *found;
   return found.has_value();
 }
 
@@ -108,15 +109,15 @@ std::map<std::string, Reader> readers_into(RoomSettings& s) {
 
 }  // namespace
 
-std::string_view name_of(Who who) {
-  for (const auto& [value, name] : kWho) {
-    if (value == who) return name;
+std::string_view name_of(AccessRule rule) {
+  for (const auto& [value, name] : kAccessRules) {
+    if (value == rule) return name;
   }
   return "nobody";
 }
 
-std::optional<Who> who_is(std::string_view name) {
-  for (const auto& [value, text] : kWho) {
+std::optional<AccessRule> access_rule_named(std::string_view name) {
+  for (const auto& [value, text] : kAccessRules) {
     if (text == name) return value;
   }
   return std::nullopt;

@@ -18,15 +18,15 @@
 namespace roomcast::hub {
 
 /// The clients that have a permission in a room.
-enum class Who {
+enum class AccessRule {
   kAnyone,
   kToken,  // with a token of the right role
   kAdmin,  // with an admin's token
   kNobody,
 };
 
-[[nodiscard]] std::string_view name_of(Who who);
-[[nodiscard]] std::optional<Who> who_is(std::string_view name);
+[[nodiscard]] std::string_view name_of(AccessRule rule);
+[[nodiscard]] std::optional<AccessRule> access_rule_named(std::string_view name);
 
 /// The position and direction in which a viewer starts.
 struct StartPosition {
@@ -44,10 +44,10 @@ struct RoomSettings {
   std::size_t max_sensors = wire::kMaxSensors;
   std::size_t max_viewers = wire::kMaxViewers;
   bool listed = true;  // false: known only to clients with a token for it
-  Who send = Who::kAnyone;
-  Who view = Who::kAnyone;
-  Who record = Who::kAnyone;
-  Who share = Who::kAnyone;                         // "export" in JSON
+  AccessRule send = AccessRule::kAnyone;
+  AccessRule view = AccessRule::kAnyone;
+  AccessRule record = AccessRule::kAnyone;
+  AccessRule share = AccessRule::kAnyone;           // "export" in JSON
   std::vector<StartPosition> start_positions = {};  // used in turn; none: next to the sensors
 };
 

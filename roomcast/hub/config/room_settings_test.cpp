@@ -16,23 +16,23 @@ std::string settings_fault(const Json& changes) {
   return result ? "" : result.error().message;
 }
 
-TEST(RoomSettings, survive_being_json) {
+TEST(RoomSettings, survive_conversion_to_json) {
   const RoomSettings settings{.name = "lab",
                               .title = "The lab",
                               .max_sensors = 4,
                               .max_viewers = 20,
                               .listed = false,
-                              .send = Who::kToken,
-                              .view = Who::kAdmin,
-                              .record = Who::kNobody,
-                              .share = Who::kToken,
+                              .send = AccessRule::kToken,
+                              .view = AccessRule::kAdmin,
+                              .record = AccessRule::kNobody,
+                              .share = AccessRule::kToken,
                               .start_positions = {{.x_m = 1, .z_m = -2, .eye_height_m = 1.7}}};
   const auto read = changed({}, to_json(settings));
   ASSERT_TRUE(read.ok()) << read.error().message;
   EXPECT_EQ(to_json(*read), to_json(settings));
 }
 
-TEST(RoomSettings, what_is_not_named_stays) {
+TEST(RoomSettings, unnamed_fields_stay) {
   RoomSettings settings;
   settings.max_viewers = 7;
   const auto result = changed(settings, {{"title", "Kitchen"}});
@@ -53,14 +53,14 @@ TEST(RoomSettings, a_wrong_field_or_value_is_named) {
   EXPECT_NE(settings_fault(Json::array()), "");
 }
 
-TEST(RoomSettings, a_room_needs_a_name_that_can_be_one) {
+TEST(RoomSettings, a_room_needs_a_valid_name) {
   EXPECT_NE(settings_fault({{"name", ""}}), "");
   EXPECT_NE(settings_fault({{"name", "*"}}), "") << "it would be all rooms in a token";
   EXPECT_NE(settings_fault({{"name", std::string(65, 'x')}}), "");
   EXPECT_NE(settings_fault({{"name", "a\nb"}}), "");
 }
 
-TEST(RoomSettings, a_start_position_looks_where_it_says) {
+TEST(RoomSettings, a_start_position_has_its_heading) {
   const RigidTransform ahead = world_from_viewer({.x_m = 1, .z_m = 2});
   EXPECT_EQ(ahead.translation_m, Eigen::Vector3d(1, 1.6, 2));
   EXPECT_EQ(ahead.rotation.col(2).z(), 1) << "-z of the viewer is -z of the world";

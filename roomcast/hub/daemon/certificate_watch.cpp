@@ -10,20 +10,20 @@ namespace roomcast::hub::daemon {
 
 CertificateWatch::CertificateWatch(std::filesystem::path certificate, std::filesystem::path key,
                                    Take take, std::atomic<bool>& asked, LogSink log,
-                                   std::chrono::milliseconds look_every)
+                                   std::chrono::milliseconds check_every)
     : certificate_(std::move(certificate)),
       key_(std::move(key)),
       take_(std::move(take)),
       asked_(asked),
       log_(std::move(log)),
       seen_(stamp()),
-      thread_([this, look_every](const std::stop_token& stop) {
+      thread_([this, check_every](const std::stop_token& stop) {
         std::mutex mutex;
         std::condition_variable_any nobody_wakes;
         std::unique_lock lock(mutex);
-        while (
-            !nobody_wakes.wait_for(lock, stop, look_every, [&] { return stop.stop_requested(); })) {
-          look();
+        while (!nobody_wakes.wait_for(lock, stop, check_every,
+                                      [&] { return stop.stop_requested(); })) {
+          check_files();
         }
       }) {}
 
@@ -34,7 +34,7 @@ CertificateWatch::Stamp CertificateWatch::stamp() const {
 }
 
 /// If only one of the two files is written yet, they do not match; a later check loads both.
-void CertificateWatch::look() {
+void CertificateWatch::check_files() {
   const Stamp now = stamp();
   if (!asked_.exchange(false) && now == seen_) return;
   seen_ = now;

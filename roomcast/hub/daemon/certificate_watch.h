@@ -24,12 +24,12 @@ class CertificateWatch {
   /// `asked`: setting it reloads the files even if they have not changed.
   CertificateWatch(std::filesystem::path certificate, std::filesystem::path key, Take take,
                    std::atomic<bool>& asked, LogSink log,
-                   std::chrono::milliseconds look_every = std::chrono::seconds(1));
+                   std::chrono::milliseconds check_every = std::chrono::seconds(1));
 
  private:
   using Stamp = std::pair<std::filesystem::file_time_type, std::filesystem::file_time_type>;
   [[nodiscard]] Stamp stamp() const;
-  void look();
+  void check_files();
 
   const std::filesystem::path certificate_, key_;
   const Take take_;

@@ -62,19 +62,19 @@ class CertificateWatchTest : public testing::Test {
   std::string complaint;
 };
 
-TEST_F(CertificateWatchTest, a_renewed_certificate_is_handed_on) {
+TEST_F(CertificateWatchTest, a_renewed_certificate_is_passed_on) {
   const CertificateWatch watching = watch();
   const auto renewed = write("b.example");
   ASSERT_TRUE(wait_until([&] { return !taken.empty() && taken.back() == renewed; }));
 }
 
-TEST_F(CertificateWatchTest, whoever_asks_gets_it_loaded_again) {
+TEST_F(CertificateWatchTest, a_signal_reloads_it) {
   const CertificateWatch watching = watch();
   asked = true;
   EXPECT_TRUE(wait_until([&] { return !taken.empty(); }));
 }
 
-TEST_F(CertificateWatchTest, what_cannot_be_loaded_leaves_the_old_one) {
+TEST_F(CertificateWatchTest, an_unreadable_certificate_leaves_the_old_one) {
   const CertificateWatch watching = watch();
   std::ofstream(file) << "nonsense";
   std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now() + 1h);

@@ -32,7 +32,7 @@ Result<std::optional<fs::path>> make_data_folder(const std::string& named) {
   std::error_code error;
   fs::create_directories(*folder, error);
   if (!error) return folder;
-  return Error{ErrorCode::kUnavailable, "cannot make the folder " + folder->string() + ": " +
+  return Error{ErrorCode::kUnavailable, "cannot create the folder " + folder->string() + ": " +
                                             error.message() + "; name another with --data"};
 }
 
@@ -46,7 +46,7 @@ Status check_folder(const fs::path& folder) {
   };
   if (!fs::is_directory(there, error)) return unusable("is no folder");
   if (::access(there.c_str(), R_OK | W_OK | X_OK) == 0) return {};
-  return unusable(std::string("is not for this user: ") + std::strerror(errno));
+  return unusable(std::string("is not accessible to this user: ") + std::strerror(errno));
 }
 
 }  // namespace roomcast::hub::daemon

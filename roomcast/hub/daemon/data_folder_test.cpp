@@ -10,25 +10,25 @@
 namespace roomcast::hub::daemon {
 namespace {
 
-TEST(DataFolder, is_the_one_that_was_named) {
+TEST(DataFolder, is_the_named_folder) {
   EXPECT_EQ(data_folder("/srv/hub")->string(), "/srv/hub");
   EXPECT_TRUE(data_folder("") == default_data_folder());
 }
 
-TEST(DataFolder, is_made_with_those_above_it) {
+TEST(DataFolder, is_created_with_its_parents) {
   const TemporaryFolder folder;
   ASSERT_TRUE(make_data_folder(folder / "a" / "b").ok());
   EXPECT_TRUE(std::filesystem::is_directory(folder / "a" / "b"));
 }
 
-TEST(DataFolder, is_checked_without_being_made) {
+TEST(DataFolder, is_checked_without_being_created) {
   const TemporaryFolder folder;
   EXPECT_TRUE(check_folder(folder.path()).ok());
   EXPECT_TRUE(check_folder(folder / "a" / "b").ok());
   EXPECT_FALSE(std::filesystem::exists(folder / "a"));
 }
 
-TEST(DataFolder, what_is_or_lies_in_a_file_is_none) {
+TEST(DataFolder, rejects_a_file_and_a_path_below_a_file) {
   const TemporaryFolder folder;
   std::ofstream(folder / "file") << "not a folder";
   for (const auto& path : {folder / "file", folder / "file" / "below"}) {

@@ -25,13 +25,13 @@ class HubCertificate : public ::testing::Test {
   const fs::path folder_ = scratch_ / "certificates";
 };
 
-TEST_F(HubCertificate, is_none_unless_asked_for) {
+TEST_F(HubCertificate, is_absent_by_default) {
   const auto certificate = find_hub_certificate({});
   ASSERT_TRUE(certificate.ok());
   EXPECT_FALSE(certificate->has_value());
 }
 
-TEST_F(HubCertificate, self_signed_stays_the_same_from_start_to_start) {
+TEST_F(HubCertificate, self_signed_stays_the_same_across_restarts) {
   const auto first = find_hub_certificate(self_signed());
   ASSERT_TRUE(first.ok()) << first.error().message;
   const auto second = find_hub_certificate(self_signed());
@@ -39,7 +39,7 @@ TEST_F(HubCertificate, self_signed_stays_the_same_from_start_to_start) {
   EXPECT_EQ((*first)->fingerprint(), (*second)->fingerprint());
 }
 
-TEST_F(HubCertificate, self_signed_that_was_damaged_is_an_error_not_another_certificate) {
+TEST_F(HubCertificate, a_damaged_self_signed_certificate_is_an_error) {
   ASSERT_TRUE(find_hub_certificate(self_signed()).ok());
   std::ofstream(folder_ / "new" / "self-signed.pem") << "gone";
   const auto certificate = find_hub_certificate(self_signed());
@@ -47,7 +47,7 @@ TEST_F(HubCertificate, self_signed_that_was_damaged_is_an_error_not_another_cert
   EXPECT_EQ(certificate.error().code, ErrorCode::kMalformed);
 }
 
-TEST_F(HubCertificate, self_signed_is_not_made_by_who_only_looks) {
+TEST_F(HubCertificate, reading_creates_no_self_signed_certificate) {
   auto options = self_signed();
   options.only_look = true;
   const auto none = find_hub_certificate(options);
@@ -58,7 +58,7 @@ TEST_F(HubCertificate, self_signed_is_not_made_by_who_only_looks) {
   EXPECT_TRUE(find_hub_certificate(options)->has_value());
 }
 
-TEST_F(HubCertificate, options_that_contradict_each_other_are_wrong_usage) {
+TEST_F(HubCertificate, contradicting_options_are_wrong_usage) {
   auto both = self_signed();
   both.certificate_file = "a.pem";
   both.key_file = "a.pem";

@@ -35,35 +35,35 @@ void HubRecorders::trust(const net::Fingerprint& certificate) {
 }
 
 /// The recording's state with the recorder's current counters.
-hub::RoomRecording HubRecorders::as_it_is(const Recording& recording) {
-  hub::RoomRecording said = recording.said;
-  if (!recording.recorder) return said;
+hub::RoomRecording HubRecorders::current_status(const Recording& recording) {
+  hub::RoomRecording status = recording.status;
+  if (!recording.recorder) return status;
   const recording::RecorderStats stats = recording.recorder->stats();
-  said.frames = stats.frames;
-  said.bytes = stats.file_bytes;
+  status.frames = stats.frames;
+  status.bytes = stats.file_bytes;
   const auto length = std::chrono::steady_clock::now() - recording.since;
-  said.seconds = std::chrono::duration<double>(length).count();
+  status.seconds = std::chrono::duration<double>(length).count();
   if (const auto failure = recording.recorder->failure()) {
-    said.state = RecordingState::kFailed;
-    said.problem = failure->message;
+    status.state = RecordingState::kFailed;
+    status.problem = failure->message;
   }
-  return said;
+  return status;
 }
 
 hub::RoomRecording HubRecorders::now(const std::string& room) const {
   const std::lock_guard lock(mutex_);
   const auto found = recordings_.find(room);
-  return found == recordings_.end() ? hub::RoomRecording{} : as_it_is(found->second);
+  return found == recordings_.end() ? hub::RoomRecording{} : current_status(found->second);
 }
 
 Status HubRecorders::start(const std::string& room) {
   const std::lock_guard lock(mutex_);
   Recording& recording = recordings_[room];
-  const RecordingState state = as_it_is(recording).state;
+  const RecordingState state = current_status(recording).state;
   if (state != RecordingState::kOff && state != RecordingState::kFailed) {
     return Error{ErrorCode::kInvalidArgument, "the room " + room + " is being recorded already"};
   }
-  recording.said = {.state = RecordingState::kStarting, .file = {}, .problem = {}};
+  recording.status = {.state = RecordingState::kStarting, .file = {}, .problem = {}};
   // A failed recorder is destroyed on the worker, too, because that may wait for the disk.
   std::shared_ptr<recording::Recorder> before = std::move(recording.recorder);
   boost::asio::post(orders_, [this, room, before = std::move(before)]() mutable {
@@ -76,11 +76,11 @@ Status HubRecorders::start(const std::string& room) {
 Status HubRecorders::stop(const std::string& room) {
   const std::lock_guard lock(mutex_);
   Recording& recording = recordings_[room];
-  recording.said = as_it_is(recording);
-  if (recording.said.state != RecordingState::kOn) {
+  recording.status = current_status(recording);
+  if (recording.status.state != RecordingState::kOn) {
     return Error{ErrorCode::kInvalidArgument, "the room " + room + " is not being recorded"};
   }
-  recording.said.state = RecordingState::kStopping;
+  recording.status.state = RecordingState::kStopping;
   const std::shared_ptr<recording::Recorder> recorder = std::move(recording.recorder);
   boost::asio::post(orders_, [this, room, recorder] { finish(room, *recorder); });
   return {};
@@ -107,12 +107,12 @@ void HubRecorders::open(const std::string& room) {
   const std::lock_guard lock(mutex_);
   Recording& recording = recordings_[room];
   if (!recorder) {
-    recording.said.state = RecordingState::kFailed;
-    recording.said.problem = recorder.error().message;
+    recording.status.state = RecordingState::kFailed;
+    recording.status.problem = recorder.error().message;
     return;
   }
-  recording.said.state = RecordingState::kOn;
-  recording.said.file = file->string();
+  recording.status.state = RecordingState::kOn;
+  recording.status.file = file->string();
   recording.since = std::chrono::steady_clock::now();
   recording.recorder = *std::move(recorder);
 }
@@ -120,10 +120,10 @@ void HubRecorders::open(const std::string& room) {
 void HubRecorders::finish(const std::string& room, recording::Recorder& recorder) {
   const Status finished = recorder.finish();
   const std::lock_guard lock(mutex_);
-  hub::RoomRecording& said = recordings_[room].said;
-  said.bytes = recorder.stats().file_bytes;
-  said.state = finished ? RecordingState::kOff : RecordingState::kFailed;
-  if (!finished) said.problem = finished.error().message;
+  hub::RoomRecording& status = recordings_[room].status;
+  status.bytes = recorder.stats().file_bytes;
+  status.state = finished ? RecordingState::kOff : RecordingState::kFailed;
+  if (!finished) status.problem = finished.error().message;
 }
 
 }  // namespace roomcast::hub::daemon

@@ -40,12 +40,12 @@ class HubRecorders final : public hub::RoomRecordings {
 
  private:
   struct Recording {
-    hub::RoomRecording said;  // the whole state while there is no recorder
+    hub::RoomRecording status;  // the whole state while there is no recorder
     std::unique_ptr<recording::Recorder> recorder;
     std::chrono::steady_clock::time_point since;
   };
 
-  [[nodiscard]] static hub::RoomRecording as_it_is(const Recording& recording);
+  [[nodiscard]] static hub::RoomRecording current_status(const Recording& recording);
 
   // Called on the worker.
   void open(const std::string& room);

@@ -38,7 +38,7 @@ class HubRecordersTest : public testing::Test {
   HubRecorders recorders_{folder_.path() / "recordings", {}};
 };
 
-TEST_F(HubRecordersTest, a_room_is_kept_in_a_file_of_its_own_each_time) {
+TEST_F(HubRecordersTest, each_recording_has_its_own_file) {
   for (const char* name : {"roomcast-room-0001.mcap", "roomcast-room-0002.mcap"}) {
     ASSERT_TRUE(recorders_.start("room").ok());
     const auto on = settled();
@@ -53,7 +53,7 @@ TEST_F(HubRecordersTest, a_room_is_kept_in_a_file_of_its_own_each_time) {
   }
 }
 
-TEST_F(HubRecordersTest, starting_twice_and_stopping_nothing_are_refused) {
+TEST_F(HubRecordersTest, refuses_to_start_twice_or_stop_nothing) {
   EXPECT_FALSE(recorders_.stop("room").ok());
   ASSERT_TRUE(recorders_.start("room").ok());
   EXPECT_FALSE(recorders_.start("room").ok());
@@ -61,7 +61,7 @@ TEST_F(HubRecordersTest, starting_twice_and_stopping_nothing_are_refused) {
   EXPECT_FALSE(recorders_.start("room").ok());
 }
 
-TEST_F(HubRecordersTest, why_it_failed_is_said_and_it_can_be_tried_again) {
+TEST_F(HubRecordersTest, a_failed_recording_has_its_reason_and_can_be_restarted) {
   std::filesystem::create_directories(folder_.path());
   const auto in_the_way = folder_.path() / "recordings";
   std::filesystem::create_symlink("/dev/null/nowhere", in_the_way);
@@ -74,7 +74,7 @@ TEST_F(HubRecordersTest, why_it_failed_is_said_and_it_can_be_tried_again) {
   EXPECT_EQ(settled().state, RecordingState::kOn);
 }
 
-TEST_F(HubRecordersTest, of_a_room_that_was_never_kept_there_is_nothing) {
+TEST_F(HubRecordersTest, an_unrecorded_room_has_no_recording) {
   EXPECT_EQ(recorders_.now("room").state, RecordingState::kOff);
   EXPECT_TRUE(recorders_.now("room").file.empty());
 }

@@ -104,7 +104,7 @@ Result<std::optional<hub::federation::ClusterOptions>> cluster_of(const hub::Hub
 Result<hub::HubOptions> hub_options_of(const hub::HubConfig& config,
                                        const net::ListenAddress& listen, bool encrypted) {
   const bool open = config.access == "anyone" || (config.access == "auto" && listen.loopback);
-  auto rooms = hub::rooms_of(config, open ? hub::Who::kAnyone : hub::Who::kToken);
+  auto rooms = hub::rooms_of(config, open ? hub::AccessRule::kAnyone : hub::AccessRule::kToken);
   if (!rooms) return rooms.error();
   const bool all_listed = std::ranges::all_of(*rooms, &hub::RoomSettings::listed);
   hub::HubOptions options;

@@ -13,18 +13,18 @@ namespace {
 const net::ListenAddress kHere{.address = "127.0.0.1", .port = 0, .loopback = true};
 const net::ListenAddress kEverywhere{.address = "0.0.0.0", .port = 0, .loopback = false};
 
-TEST(HubSettings, on_this_machine_anyone_may_come_and_from_elsewhere_a_token_is_needed) {
-  EXPECT_EQ(hub_options_of({}, kHere, false)->rooms.at(0).view, hub::Who::kAnyone);
-  EXPECT_EQ(hub_options_of({}, kEverywhere, true)->rooms.at(0).view, hub::Who::kToken);
+TEST(HubSettings, only_clients_of_this_machine_need_no_token) {
+  EXPECT_EQ(hub_options_of({}, kHere, false)->rooms.at(0).view, hub::AccessRule::kAnyone);
+  EXPECT_EQ(hub_options_of({}, kEverywhere, true)->rooms.at(0).view, hub::AccessRule::kToken);
   hub::HubConfig open;
   open.access = "anyone";
-  EXPECT_EQ(hub_options_of(open, kEverywhere, true)->rooms.at(0).view, hub::Who::kAnyone);
+  EXPECT_EQ(hub_options_of(open, kEverywhere, true)->rooms.at(0).view, hub::AccessRule::kAnyone);
   hub::HubConfig closed;
   closed.access = "token";
-  EXPECT_EQ(hub_options_of(closed, kHere, false)->rooms.at(0).send, hub::Who::kToken);
+  EXPECT_EQ(hub_options_of(closed, kHere, false)->rooms.at(0).send, hub::AccessRule::kToken);
 }
 
-TEST(HubSettings, beyond_this_machine_a_hub_encrypts_unless_told_otherwise) {
+TEST(HubSettings, a_hub_encrypts_beyond_this_machine_by_default) {
   hub::HubConfig config;
   EXPECT_FALSE(*decide_encryption(config, kHere));
   EXPECT_TRUE(*decide_encryption(config, kEverywhere));
@@ -36,7 +36,7 @@ TEST(HubSettings, beyond_this_machine_a_hub_encrypts_unless_told_otherwise) {
   EXPECT_FALSE(decide_encryption(insecure, kEverywhere).ok());
 }
 
-TEST(HubSettings, metrics_are_for_anyone_only_where_they_give_nothing_away) {
+TEST(HubSettings, metrics_are_public_only_without_private_rooms) {
   EXPECT_TRUE(hub_options_of({}, kHere, false)->metrics_for_anyone);
   EXPECT_FALSE(hub_options_of({}, kEverywhere, true)->metrics_for_anyone);
   hub::HubConfig with_private;
@@ -44,7 +44,7 @@ TEST(HubSettings, metrics_are_for_anyone_only_where_they_give_nothing_away) {
   EXPECT_FALSE(hub_options_of(with_private, kHere, false)->metrics_for_anyone);
 }
 
-TEST(HubSettings, a_name_that_is_not_the_hubs_is_refused_unless_a_certificate_proves_it) {
+TEST(HubSettings, refuses_a_foreign_host_name_without_a_certificate) {
   hub::HubConfig config;
   config.hosts = {"hub.example.org"};
   const auto plain = hub_options_of(config, kHere, false)->names;
@@ -53,7 +53,7 @@ TEST(HubSettings, a_name_that_is_not_the_hubs_is_refused_unless_a_certificate_pr
   EXPECT_TRUE(hub_options_of(config, kHere, true)->names.allows_host("evil.example"));
 }
 
-TEST(HubSettings, a_proxy_is_who_connections_from_it_are_counted_as) {
+TEST(HubSettings, connections_through_a_proxy_count_as_the_proxy) {
   hub::HubConfig config;
   config.proxies = {"10.0.0.1", "2001:db8::5"};
   EXPECT_EQ(hub_options_of(config, kHere, false)->limits.proxies,

@@ -17,19 +17,19 @@ void PoseRelay::set(ViewerId viewer, const wire::pb::ViewerPose& pose, RoomTime 
   if (++person.poses_in_window > wire::kMaxPosesPerSecond) return;
   person.pose = pose;
   person.pose.set_viewer_id(viewer.value);
-  person.is_news = is_news_ = true;
+  person.has_changed = has_changed_ = true;
 }
 
 void PoseRelay::resend_all() {
-  for (auto& [viewer, person] : people_) person.is_news = is_news_ = true;
+  for (auto& [viewer, person] : people_) person.has_changed = has_changed_ = true;
 }
 
 std::optional<wire::pb::Control> PoseRelay::take(RoomTime now) {
-  if (!is_news_ || now < next_) return std::nullopt;
-  is_news_ = false;
+  if (!has_changed_ || now < next_) return std::nullopt;
+  has_changed_ = false;
   wire::pb::Control control;
   for (auto& [viewer, person] : people_) {
-    if (std::exchange(person.is_news, false)) {
+    if (std::exchange(person.has_changed, false)) {
       *control.mutable_viewer_poses()->add_poses() = person.pose;
     }
   }
@@ -40,7 +40,7 @@ std::optional<wire::pb::Control> PoseRelay::take(RoomTime now) {
 }
 
 std::optional<RoomTime> PoseRelay::next() const {
-  if (!is_news_) return std::nullopt;
+  if (!has_changed_) return std::nullopt;
   return next_;
 }
 

@@ -30,12 +30,12 @@ class PoseRelay {
  private:
   struct Person {
     wire::pb::ViewerPose pose;
-    bool is_news = false;
+    bool has_changed = false;
     RoomTime window_begin{};
     int poses_in_window = 0;
   };
   std::unordered_map<ViewerId, Person> people_;
-  bool is_news_ = false;  // of any person
+  bool has_changed_ = false;  // of any person
   RoomTime next_{};
 };
 

@@ -38,7 +38,7 @@ TEST(PoseRelay, the_newest_pose_goes_out_under_the_viewers_id_at_most_20_times_a
   EXPECT_TRUE(relay.take(relayed_at(80ms)));
 }
 
-TEST(PoseRelay, who_comes_is_told_where_the_others_are) {
+TEST(PoseRelay, a_new_client_gets_all_poses) {
   PoseRelay relay;
   relay.set(ViewerId{1}, viewer_pose_at(1), relayed_at(0ms));
   EXPECT_TRUE(relay.take(relayed_at(0ms)));
@@ -48,7 +48,7 @@ TEST(PoseRelay, who_comes_is_told_where_the_others_are) {
   EXPECT_EQ(message->viewer_poses().poses_size(), 1);
 }
 
-TEST(PoseRelay, a_crowd_is_told_less_often) {
+TEST(PoseRelay, many_moving_viewers_lengthen_the_interval) {
   constexpr int kMany = 40;
   PoseRelay relay;
   const auto all_move = [&](nanoseconds when) {
@@ -70,7 +70,7 @@ TEST(PoseRelay, poses_of_a_chatterbox_are_dropped) {
             wire::kMaxPosesPerSecond - 1);
 }
 
-TEST(PoseRelay, who_has_left_is_not_told_of) {
+TEST(PoseRelay, poses_of_viewers_who_left_are_not_sent) {
   PoseRelay relay;
   relay.set(ViewerId{1}, viewer_pose_at(1), relayed_at(0ms));
   relay.forget(ViewerId{1});

@@ -20,24 +20,24 @@ namespace roomcast::hub {
 class RemotePresence {
  public:
   using NewId = std::function<ViewerId()>;
-  struct Teller {
+  struct Reporter {
     ConnectionId connection;
     ViewerId viewer{};  // its viewer ID in this room; 0: it is the backplane
   };
   struct Change {
-    bool is_news = false;
+    bool has_changed = false;
     std::vector<ViewerId> gone = {};
   };
 
   /// Replaces the list of people that a connection reports. People beyond kMaxPeopleElsewhere in
   /// all, or already kMaxHubsAway hubs away, are left out.
-  Change tell(const Teller& teller, const wire::pb::PeopleHere& people, const NewId& new_id);
+  Change report(const Reporter& reporter, const wire::pb::PeopleHere& people, const NewId& new_id);
   /// Removes all people that this connection reported.
-  Change forget(ConnectionId teller);
+  Change forget(ConnectionId reporter);
 
   /// The ID in this room of a person reported under `id_there`; nothing: this connection reported
   /// no such person.
-  [[nodiscard]] std::optional<ViewerId> find(ConnectionId teller, std::uint32_t id_there) const;
+  [[nodiscard]] std::optional<ViewerId> find(ConnectionId reporter, std::uint32_t id_there) const;
   /// Adds the people to `roster` until it has wire::kMaxViewers entries.
   void write_to(wire::pb::Roster& roster) const;
 
@@ -46,7 +46,7 @@ class RemotePresence {
 
   [[nodiscard]] std::size_t count() const;
 
-  std::unordered_map<ConnectionId, People> told_;
+  std::unordered_map<ConnectionId, People> reported_;
 };
 
 }  // namespace roomcast::hub

@@ -76,7 +76,7 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
       return out;
     case pb::Control::kViewerStats:
       if (viewer == viewers_.end()) break;
-      viewer->second.told = message.viewer_stats();
+      viewer->second.reported_stats = message.viewer_stats();
       return out;
     case pb::Control::MESSAGE_NOT_SET:
       return out;  // a message of a later protocol version
@@ -308,8 +308,8 @@ RoomStats Room::stats() const {
                              .connection = connection,
                              .token_id = viewer.token_id,
                              .records = viewer.records,
-                             .shown_fps = viewer.told.shown_fps(),
-                             .latency_ms = viewer.told.latency_ms()});
+                             .shown_fps = viewer.reported_stats.shown_fps(),
+                             .latency_ms = viewer.reported_stats.latency_ms()});
   }
   std::ranges::sort(stats.viewers, {}, &ViewerStats::id);
   return stats;

@@ -92,7 +92,7 @@ class Room {
     bool records = false;
     bool relays = false;  // it is a hub that relays this room
     std::string token_id;
-    wire::pb::ViewerStats told = {};  // reported by the viewer
+    wire::pb::ViewerStats reported_stats = {};  // reported by the viewer
     RateLimit people{kPeopleReportsPerSecond, 4 * kPeopleReportsPerSecond};
   };
 

@@ -19,16 +19,16 @@ bool Room::may_report_people(ConnectionId from) const {
 }
 
 RoomActions Room::take_people(ConnectionId from, const pb::PeopleHere& people, RoomTime now) {
-  RemotePresence::Teller teller{from};
+  RemotePresence::Reporter reporter{from};
   if (const auto viewer = viewers_.find(from); viewer != viewers_.end()) {
-    teller.viewer = viewer->second.id;
+    reporter.viewer = viewer->second.id;
     if (!viewer->second.people.take(1, HostTime(now.time_since_epoch()))) {
-      return refuse(from, pb::ERROR_TOO_FAST, "this hub tells too often who is there", now);
+      return refuse(from, pb::ERROR_TOO_FAST, "this hub reports its people too often", now);
     }
   }
   RoomActions out;
   const auto change =
-      remote_presence_.tell(teller, people, [this] { return ViewerId{next_viewer_id_++}; });
+      remote_presence_.report(reporter, people, [this] { return ViewerId{next_viewer_id_++}; });
   if (forget_people(change)) announce_in_time(now, out);
   return out;
 }
@@ -43,7 +43,7 @@ void Room::take_poses(ConnectionId from, const pb::ViewerPoses& poses, RoomTime 
 /// Removes the poses of people who have left. True: the roster has changed.
 bool Room::forget_people(const RemotePresence::Change& change) {
   for (const ViewerId gone : change.gone) poses_.forget(gone);
-  return change.is_news;
+  return change.has_changed;
 }
 
 /// All viewers, and the backplane's aligners.

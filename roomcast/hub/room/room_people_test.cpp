@@ -27,7 +27,7 @@ pb::Control pose_of(std::uint32_t id, float x) {
   return control;
 }
 
-TEST_F(RoomTest, people_behind_a_hub_are_seen_where_they_are_until_it_leaves) {
+TEST_F(RoomTest, people_behind_a_hub_are_shown_until_it_leaves) {
   const auto viewer = enter(viewer_join("Ada"));  // viewer 1
   const auto hub = enter(hub_join());             // viewer 2
   auto told = room.control(hub, people({9}), at(1s));
@@ -46,7 +46,7 @@ TEST_F(RoomTest, people_behind_a_hub_are_seen_where_they_are_until_it_leaves) {
   (void)viewer;
 }
 
-TEST_F(RoomTest, when_nobody_is_left_nobody_has_to_be_told_of_it) {
+TEST_F(RoomTest, an_empty_room_needs_no_tick) {
   const auto viewer = enter(viewer_join("Ada"));
   (void)room.leave(viewer, at(1ms));
   const auto next = room.next_tick();
@@ -54,7 +54,7 @@ TEST_F(RoomTest, when_nobody_is_left_nobody_has_to_be_told_of_it) {
   EXPECT_FALSE(room.next_tick().has_value());
 }
 
-TEST_F(RoomTest, a_viewer_that_is_no_hub_tells_of_nobody) {
+TEST_F(RoomTest, only_a_hub_may_report_people) {
   for (const auto& message : {people({9}), pose_of(9, 3)}) {
     const auto viewer = enter(viewer_join("Ada"));
     const auto refused = all<Disconnect>(room.control(viewer, message, at(1s)));
@@ -63,7 +63,7 @@ TEST_F(RoomTest, a_viewer_that_is_no_hub_tells_of_nobody) {
   }
 }
 
-TEST_F(RoomTest, a_hub_moves_nobody_but_those_it_has_told_of) {
+TEST_F(RoomTest, a_hub_sets_poses_of_its_own_people_only) {
   const auto viewer = enter(viewer_join("Ada"));  // viewer 1
   const auto hub = enter(hub_join());
   const auto other = enter(hub_join());
@@ -75,7 +75,7 @@ TEST_F(RoomTest, a_hub_moves_nobody_but_those_it_has_told_of) {
   (void)viewer;
 }
 
-TEST_F(RoomTest, a_hub_that_tells_too_often_who_is_there_is_sent_away) {
+TEST_F(RoomTest, a_hub_that_reports_people_too_often_is_disconnected) {
   const auto hub = enter(hub_join());
   std::vector<Disconnect> refused;
   for (std::uint32_t i = 0; i < 1000 && refused.empty(); ++i) {
@@ -85,7 +85,7 @@ TEST_F(RoomTest, a_hub_that_tells_too_often_who_is_there_is_sent_away) {
   EXPECT_EQ(refused[0].code, pb::ERROR_TOO_FAST);
 }
 
-TEST_F(RoomTest, the_backplane_hears_where_people_are_and_tells_of_those_elsewhere) {
+TEST_F(RoomTest, the_backplane_gets_poses_and_reports_remote_people) {
   const auto viewer = enter(viewer_join("Ada"));
   pb::Control pose;
   pose.mutable_viewer_pose()->mutable_head()->set_x(1);

@@ -42,7 +42,7 @@ struct BackplaneTraffic {
 struct BackplaneStats {
   std::size_t links = 0;       // links it needs: to NATS, or one per room pulled from another hub
   std::size_t links_up = 0;    // links that are connected
-  std::size_t other_hubs = 0;  // heard from lately
+  std::size_t other_hubs = 0;  // with a recent heartbeat
   BackplaneTraffic sent = {}, received = {};
   std::uint64_t dropped = 0;  // messages that could not be sent
 };
@@ -95,7 +95,7 @@ struct BackplaneContext {
   std::function<void()> send_revoked = {};
   /// Takes the public URLs of the other hubs. This hub's page may reconnect to them, and their
   /// pages to this hub.
-  std::function<void(std::vector<std::string>)> name_hubs = {};
+  std::function<void(std::vector<std::string>)> set_peer_urls = {};
 };
 using OpenBackplane = std::function<Result<std::unique_ptr<Backplane>>(BackplaneContext)>;
 

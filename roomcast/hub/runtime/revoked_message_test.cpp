@@ -18,7 +18,7 @@ Claims token(const std::string& id, const std::string& room, TokenRole role = To
           .expires_at = 200};
 }
 
-TEST(RevokedMessage, says_which_tokens_for_the_room_hold_no_more_and_not_whose_they_were) {
+TEST(RevokedMessage, lists_the_rooms_revoked_tokens_without_their_owners) {
   const auto messages = revoked_messages(
       {token("a", "lab"), token("b", "another"), token("c", "*", TokenRole::kAdmin)}, "lab");
   ASSERT_EQ(messages.size(), 1u);
@@ -32,18 +32,18 @@ TEST(RevokedMessage, says_which_tokens_for_the_room_hold_no_more_and_not_whose_t
   EXPECT_EQ(claims[1].grant.role, TokenRole::kAdmin);
 }
 
-TEST(RevokedMessage, there_is_none_where_none_was_revoked) {
+TEST(RevokedMessage, is_absent_without_revoked_tokens) {
   EXPECT_TRUE(revoked_messages({token("b", "another")}, "lab").empty());
 }
 
-TEST(RevokedMessage, many_take_several) {
+TEST(RevokedMessage, many_tokens_need_several_messages) {
   const std::vector<Claims> many(wire::kMaxRevokedTokens + 1, token("a", "lab"));
   const auto messages = revoked_messages(many, "lab");
   ASSERT_EQ(messages.size(), 2u);
   EXPECT_EQ(messages[1].revoked_tokens().tokens_size(), 1);
 }
 
-TEST(RevokedMessage, of_another_room_or_of_no_known_role_is_not_taken) {
+TEST(RevokedMessage, ignores_tokens_of_other_rooms_or_unknown_roles) {
   pb::RevokedTokens message;
   message.add_tokens()->set_room("another");
   message.mutable_tokens(0)->set_role("viewer");

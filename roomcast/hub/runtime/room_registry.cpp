@@ -100,15 +100,15 @@ void RoomRegistry::on_join(const ConnectionInfo& connection_info, const pb::Join
   clients_[connection_info.id()] = {
       .address = connection_info.address, .name = join.name(), .role = role_of(join)};
   if (!join.code().empty()) {
-    return store_worker_.ask([code = join.code()](HubStore& book) { return book.redeem(code); },
+    return store_worker_.ask([code = join.code()](HubStore& store) { return store.redeem(code); },
                              [this, connection_info, join](const Verdict<NewToken>& redeemed) {
                                on_checked(connection_info, join, redeemed, true);
                              });
   }
   if (join.token().empty()) return decide(connection_info, join, nullptr, "");
   store_worker_.ask(
-      [token = join.token()](HubStore& book) -> Verdict<NewToken> {
-        auto verdict = book.check(token);
+      [token = join.token()](HubStore& store) -> Verdict<NewToken> {
+        auto verdict = store.check(token);
         if (const Refusal* why = refusal(verdict)) return *why;
         return NewToken{std::get<Claims>(std::move(verdict)), token};
       },
@@ -160,8 +160,7 @@ void RoomRegistry::count_fault(const std::string& peer, const Refusal& why) {
   const auto& exempt = options_.never_banned;
   if (!is_fault(why.code) || std::ranges::find(exempt, peer) != exempt.end()) return;
   if (!bans_.fault(peer, clock_.now())) return;
-  log(LogLevel::kWarning,
-      peer + " shows bad tokens again and again; it is not listened to for a while",
+  log(LogLevel::kWarning, peer + " is banned for a while: too many bad tokens",
       {{"event", "ban"}, {"peer", peer}});
 }
 
@@ -172,7 +171,7 @@ bool RoomRegistry::redirect(const ConnectionInfo& connection_info, const pb::Joi
   if (backplane_ == nullptr || !join.has_viewer() || join.redirected()) return false;
   const auto urls = backplane_->less_busy_hubs(room);
   if (urls.empty()) return false;
-  log(LogLevel::kInfo, described(connection_info, join) + " is sent on to " + urls.front(),
+  log(LogLevel::kInfo, described(connection_info, join) + " is redirected to " + urls.front(),
       {{"event", "send_on"},
        {"room", room},
        {"role", role_of(join)},
@@ -205,7 +204,7 @@ void RoomRegistry::admit(const ConnectionInfo& connection_info, const pb::Join& 
 
 /// Sends a hub that has just joined the tokens revoked so far.
 void RoomRegistry::send_revoked_to_new_hub(ConnectionId hub) {
-  store_worker_.ask([](HubStore& book) { return book.revoked(); },
+  store_worker_.ask([](HubStore& store) { return store.revoked(); },
                     [this, hub](const Result<std::vector<Claims>>& revoked) {
                       if (revoked && room_of(hub) != nullptr) send_revoked_to_hub(hub, *revoked);
                     });
@@ -262,8 +261,8 @@ void RoomRegistry::log_client(const std::string& line, const Client& client, std
 void RoomRegistry::on_removed(const Disconnect& end) {
   const auto client = clients_.find(end.connection);
   if (client == clients_.end()) return;
-  log_client(client->second.address + " is sent away: " + end.sentence, client->second, "send_away",
-             pb::ErrorCode_Name(end.code));
+  log_client(client->second.address + " is disconnected: " + end.sentence, client->second,
+             "send_away", pb::ErrorCode_Name(end.code));
   clients_.erase(client);
 }
 
@@ -274,7 +273,7 @@ bool RoomRegistry::disconnect_client(ConnectionId client, const std::string& sen
 }
 
 void RoomRegistry::send_revoked() {
-  store_worker_.ask([](HubStore& book) { return book.revoked(); },
+  store_worker_.ask([](HubStore& store) { return store.revoked(); },
                     [this](const Result<std::vector<Claims>>& revoked) {
                       if (!revoked || revoked->empty()) return;
                       if (backplane_ != nullptr) backplane_->revoked(*revoked);
@@ -293,15 +292,15 @@ void RoomRegistry::send_revoked_to_hub(ConnectionId hub, const std::vector<Claim
   for (const pb::Control& message : revoked_messages(revoked, room.name())) room.send(hub, message);
 }
 
-void RoomRegistry::take_revoked(std::vector<Claims> tokens) {
+void RoomRegistry::add_revoked(std::vector<Claims> tokens) {
   std::vector<std::string> ids;
   for (const Claims& token : tokens) ids.push_back(token.id);
   store_worker_.ask(
-      [tokens = std::move(tokens)](HubStore& book) { return book.take_revoked(tokens); },
-      [this, ids = std::move(ids)](const Result<std::vector<Claims>>& news) {
-        if (!news) log(LogLevel::kWarning, news.error().message);
+      [tokens = std::move(tokens)](HubStore& store) { return store.add_revoked(tokens); },
+      [this, ids = std::move(ids)](const Result<std::vector<Claims>>& added) {
+        if (!added) log(LogLevel::kWarning, added.error().message);
         disconnect_token_holders(ids);
-        if (news) send_revoked_to_downstream(*news);
+        if (added) send_revoked_to_downstream(*added);
       });
 }
 

@@ -80,7 +80,7 @@ class RoomRegistry final : public BackplaneEvents {
   /// this hub.
   void send_revoked();
   /// Takes the tokens that other hubs report as revoked.
-  void take_revoked(std::vector<Claims> tokens);
+  void add_revoked(std::vector<Claims> tokens);
   /// Empty: this hub is the only one.
   [[nodiscard]] std::vector<HubStatus> hubs() const {
     return backplane_ == nullptr ? std::vector<HubStatus>() : backplane_->hubs();
@@ -137,9 +137,9 @@ class RoomRegistry final : public BackplaneEvents {
 
   void schedule_periodic_tasks();
   void run_periodic_tasks();
-  void end_expired();
+  void disconnect_expired();
   void measure_sensors();
-  void take_traffic(std::size_t shard, const ShardTraffic& traffic);
+  void record_traffic(std::size_t shard, const ShardTraffic& traffic);
   void log(LogLevel level, const std::string& line,
            std::initializer_list<LogField> fields = {}) const {
     if (options_.log) options_.log(level, line, fields);

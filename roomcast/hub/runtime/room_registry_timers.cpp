@@ -9,7 +9,7 @@ namespace roomcast::hub {
 
 namespace {
 
-constexpr std::chrono::seconds kLookAround{1};
+constexpr std::chrono::seconds kTaskInterval{1};
 constexpr std::chrono::seconds kForgetAfter{10};
 
 }  // namespace
@@ -19,7 +19,7 @@ void RoomRegistry::start() {
 }
 
 void RoomRegistry::schedule_periodic_tasks() {
-  timer_.expires_after(kLookAround);
+  timer_.expires_after(kTaskInterval);
   timer_.async_wait([this](boost::system::error_code error) {
     if (error) return;
     run_periodic_tasks();
@@ -30,13 +30,13 @@ void RoomRegistry::schedule_periodic_tasks() {
 void RoomRegistry::run_periodic_tasks() {
   measure_sensors();
   for (std::size_t i = 0; i < shards_.size(); ++i) {
-    shards_[i]->report_traffic([this, i](const ShardTraffic& t) { take_traffic(i, t); });
+    shards_[i]->report_traffic([this, i](const ShardTraffic& t) { record_traffic(i, t); });
   }
-  end_expired();
+  disconnect_expired();
   store_worker_.ask(
-      [](HubStore& book) {
-        if (!book.changed_elsewhere()) return std::vector<Claims>();
-        auto revoked = book.revoked();
+      [](HubStore& store) {
+        if (!store.changed_elsewhere()) return std::vector<Claims>();
+        auto revoked = store.revoked();
         return revoked ? *std::move(revoked) : std::vector<Claims>();
       },
       [this](const std::vector<Claims>& revoked) {
@@ -49,7 +49,7 @@ void RoomRegistry::run_periodic_tasks() {
       });
 }
 
-void RoomRegistry::end_expired() {
+void RoomRegistry::disconnect_expired() {
   const UnixSeconds now = wall_time();
   std::vector<std::pair<ConnectionId, RoomRunner*>> expired;
   for (const auto& [connection, client] : clients_) {
@@ -68,8 +68,8 @@ void RoomRegistry::measure_sensors() {
   for (const auto& [name, room] : rooms_) {
     for (const SensorStats& sensor : room->stats().sensors) {
       if (!sensor.online) continue;
-      sensor_bytes_.look(sensor.connection, sensor.bytes, now);
-      sensor_frames_.look(sensor.connection, sensor.frames, now);
+      sensor_bytes_.sample(sensor.connection, sensor.bytes, now);
+      sensor_frames_.sample(sensor.connection, sensor.frames, now);
     }
   }
   sensor_bytes_.forget_before(now - kForgetAfter);
@@ -78,12 +78,12 @@ void RoomRegistry::measure_sensors() {
   std::erase_if(sent_, [this](const auto& entry) { return !clients_.contains(entry.first); });
 }
 
-void RoomRegistry::take_traffic(std::size_t shard, const ShardTraffic& traffic) {
+void RoomRegistry::record_traffic(std::size_t shard, const ShardTraffic& traffic) {
   const HostTime now = clock_.now();
   for (const auto& viewer : traffic.viewers) {
     if (!clients_.contains(viewer.connection)) continue;
     sent_[viewer.connection] = {viewer.bytes, viewer.dropped_sets};
-    viewer_bytes_.look(viewer.connection, viewer.bytes, now);
+    viewer_bytes_.sample(viewer.connection, viewer.bytes, now);
   }
   for (const auto& room : traffic.rooms) dropped_sets_[{room.room, shard}] = room.dropped_sets;
 }

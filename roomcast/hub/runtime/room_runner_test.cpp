@@ -20,16 +20,16 @@ class RecordedConnection final : public Connection {
  public:
   using Connection::Connection;
   void accept(Role role, RoomId) override { roles.push_back(role); }
-  void deliver(ControlFanOut& control) override { heard.push_back(control.message()); }
+  void deliver(ControlFanOut& control) override { received.push_back(control.message()); }
   void disconnect(pb::ErrorCode code, const std::string&) override { ends.push_back(code); }
 
-  [[nodiscard]] bool has_heard(pb::Control::MessageCase kind) const {
+  [[nodiscard]] bool has_received(pb::Control::MessageCase kind) const {
     return std::ranges::any_of(
-        heard, [kind](const pb::Control& message) { return message.message_case() == kind; });
+        received, [kind](const pb::Control& message) { return message.message_case() == kind; });
   }
 
   std::vector<Role> roles;
-  std::vector<pb::Control> heard;
+  std::vector<pb::Control> received;
   std::vector<pb::ErrorCode> ends;
 };
 
@@ -97,8 +97,8 @@ class RoomRunnerTest : public testing::Test {
 TEST_F(RoomRunnerTest, a_client_that_joins_is_accepted_and_gets_a_welcome_and_the_roster) {
   const auto viewer = enter(runner_viewer_join());
   EXPECT_EQ(viewer->roles, std::vector{Role::kViewer});
-  EXPECT_TRUE(viewer->has_heard(pb::Control::kWelcome));
-  EXPECT_TRUE(viewer->has_heard(pb::Control::kRoster));
+  EXPECT_TRUE(viewer->has_received(pb::Control::kWelcome));
+  EXPECT_TRUE(viewer->has_received(pb::Control::kRoster));
 }
 
 TEST_F(RoomRunnerTest,
@@ -130,18 +130,18 @@ TEST_F(RoomRunnerTest, a_disconnected_client_gets_the_reason_once_and_no_message
   const auto viewer = enter(runner_viewer_join());
   runner->disconnect_client(viewer->id(), pb::ERROR_TOKEN_EXPIRED, "expired");
   runner->disconnect_client(viewer->id(), pb::ERROR_TOKEN_EXPIRED, "expired");
-  viewer->heard.clear();
+  viewer->received.clear();
   runner->send(viewer->id(), {});
   enter(runner_sensor_join("here"));
   EXPECT_EQ(viewer->ends, std::vector{pb::ERROR_TOKEN_EXPIRED});
   EXPECT_EQ(removed, std::vector{viewer->id()});
-  EXPECT_TRUE(viewer->heard.empty());
+  EXPECT_TRUE(viewer->received.empty());
 }
 
 TEST_F(RoomRunnerTest, a_key_request_reaches_the_sensor) {
   const auto sensor = enter(runner_sensor_join("here"));
   runner->request_keys({SensorId{0}, SensorId{7}});
-  EXPECT_TRUE(sensor->has_heard(pb::Control::kKeyRequest));
+  EXPECT_TRUE(sensor->has_received(pb::Control::kKeyRequest));
 }
 
 TEST_F(RoomRunnerTest, closing_disconnects_every_client) {

@@ -16,17 +16,17 @@ bool SendQueue::push_control(net::FramedMessagePtr message) {
 
 void SendQueue::push_set(FrameSetPtr set) {
   sets_.push_back({std::move(set), 0});
-  make_room();
+  drop_excess();
 }
 
-void SendQueue::make_room() {
-  const auto waiting_worth = [this] {
+void SendQueue::drop_excess() {
+  const auto waiting_sets = [this] {
     double sum = 0;
-    for (const QueuedSet& queued : sets_) sum += worth(queued);
+    for (const QueuedSet& queued : sets_) sum += size_in_sets(queued);
     return sum;
   };
-  while (waiting_worth() > static_cast<double>(wire::kMaxQueuedSets)) {
-    if (thin_out_one()) continue;
+  while (waiting_sets() > static_cast<double>(wire::kMaxQueuedSets)) {
+    if (drop_upper_layers_of_one()) continue;
     sets_.erase(std::ranges::find_if(sets_, [](const auto& s) { return s.next_frame == 0; }));
     ++dropped_sets_;
   }
@@ -34,7 +34,7 @@ void SendQueue::make_room() {
 
 /// Drops the upper-layer frames of the oldest waiting set that has any. False: no waiting set has
 /// any.
-bool SendQueue::thin_out_one() {
+bool SendQueue::drop_upper_layers_of_one() {
   const auto victim = std::ranges::find_if(sets_, [](const QueuedSet& queued) {
     const auto& frames = queued.set->frames;
     return queued.next_frame == 0 && !queued.base_only && base_frames(*queued.set) < frames.size();
@@ -53,7 +53,7 @@ std::size_t SendQueue::base_frames(const FrameSet& set) {
 }
 
 /// The size of a waiting set, in whole sets; 0 for a set that is being written.
-double SendQueue::worth(const QueuedSet& queued) {
+double SendQueue::size_in_sets(const QueuedSet& queued) {
   if (queued.next_frame > 0) return 0;
   if (!queued.base_only) return 1;
   return static_cast<double>(base_frames(*queued.set)) /

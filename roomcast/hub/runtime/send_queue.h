@@ -52,10 +52,10 @@ class SendQueue {
 
   [[nodiscard]] bool may_deliver(const wire::FrameHeader& header);
 
-  void make_room();
-  bool thin_out_one();
+  void drop_excess();
+  bool drop_upper_layers_of_one();
   static std::size_t base_frames(const FrameSet& set);
-  static double worth(const QueuedSet& queued);
+  static double size_in_sets(const QueuedSet& queued);
   [[nodiscard]] Chain& chain_of(SensorId sensor);
 
   // A hub has hundreds of queues and visits all of them for every set, so short lists are stored in

@@ -44,7 +44,7 @@ int drain(SendQueue& send_queue) {
   return messages;
 }
 
-TEST(SendQueue, control_goes_before_frames) {
+TEST(SendQueue, control_messages_precede_frames) {
   SendQueue send_queue;
   const auto set = frame_set_of({{kSensor, 0, 0}});
   send_queue.push_set(set);
@@ -55,7 +55,7 @@ TEST(SendQueue, control_goes_before_frames) {
   EXPECT_EQ(send_queue.next(), nullptr);
 }
 
-TEST(SendQueue, the_oldest_unbegun_set_gives_way) {
+TEST(SendQueue, drops_the_oldest_unstarted_set) {
   SendQueue send_queue;
   std::vector<FrameSetPtr> sets;
   for (std::uint32_t i = 0; i < 5; ++i) {
@@ -67,7 +67,7 @@ TEST(SendQueue, the_oldest_unbegun_set_gives_way) {
   EXPECT_EQ(send_queue.next(), sets[4]->frames[0].message);
 }
 
-TEST(SendQueue, sets_of_upper_layers_give_way_first) {
+TEST(SendQueue, drops_sets_of_upper_layers_first) {
   SendQueue send_queue;
   send_queue.push_set(frame_set_of({{kSensor, 0, 0}, {kOtherSensor, 0, 0}}));
   EXPECT_EQ(drain(send_queue), 2);
@@ -84,7 +84,7 @@ TEST(SendQueue, sets_of_upper_layers_give_way_first) {
 }
 
 // The sensors are out of step: in every set, one of them sends a base frame and the other does not.
-TEST(SendQueue, of_mixed_sets_the_upper_layers_give_way_and_nothing_breaks) {
+TEST(SendQueue, drops_the_upper_layers_of_mixed_sets_first) {
   SendQueue send_queue;
   send_queue.push_set(frame_set_of({{kSensor, 0, 0}, {kOtherSensor, 0, 0}}));
   EXPECT_EQ(drain(send_queue), 2);
@@ -107,7 +107,7 @@ TEST(SendQueue, base_frames_are_bounded_too) {
   EXPECT_LE(drain(send_queue), 2 * static_cast<int>(wire::kMaxQueuedSets));
 }
 
-TEST(SendQueue, a_set_that_has_begun_is_finished) {
+TEST(SendQueue, a_started_set_is_completed) {
   SendQueue send_queue;
   const auto begun = frame_set_of({{kSensor, 0, 0}, {kOtherSensor, 0, 0}});
   send_queue.push_set(begun);
@@ -116,7 +116,7 @@ TEST(SendQueue, a_set_that_has_begun_is_finished) {
   EXPECT_EQ(send_queue.next(), begun->frames[1].message);
 }
 
-TEST(SendQueue, the_first_frame_has_to_be_a_key_frame) {
+TEST(SendQueue, the_first_frame_must_be_a_key_frame) {
   SendQueue send_queue;
   send_queue.push_set(frame_set_of({{kSensor, 8, 7}}));
   EXPECT_EQ(drain(send_queue), 0);
@@ -125,7 +125,7 @@ TEST(SendQueue, the_first_frame_has_to_be_a_key_frame) {
   EXPECT_EQ(drain(send_queue), 1);
 }
 
-TEST(SendQueue, after_a_lost_base_frame_nothing_goes_out_up_to_the_next_key_frame) {
+TEST(SendQueue, after_a_dropped_base_frame_delivery_waits_for_a_key_frame) {
   SendQueue send_queue;
   send_queue.push_set(frame_set_of({{kSensor, 0, 0}}));
   EXPECT_EQ(drain(send_queue), 1);
@@ -141,7 +141,7 @@ TEST(SendQueue, after_a_lost_base_frame_nothing_goes_out_up_to_the_next_key_fram
   EXPECT_EQ(drain(send_queue), 2);
 }
 
-TEST(SendQueue, a_lost_droppable_frame_harms_nothing) {
+TEST(SendQueue, a_dropped_upper_layer_frame_breaks_no_chain) {
   SendQueue send_queue;
   send_queue.push_set(frame_set_of({{kSensor, 0, 0}}));
   EXPECT_EQ(drain(send_queue), 1);
@@ -152,14 +152,14 @@ TEST(SendQueue, a_lost_droppable_frame_harms_nothing) {
   EXPECT_THAT(send_queue.take_key_needs(), IsEmpty());
 }
 
-TEST(SendQueue, sensors_do_not_harm_each_other) {
+TEST(SendQueue, a_gap_of_one_sensor_leaves_the_others_intact) {
   SendQueue send_queue;
   send_queue.push_set(frame_set_of({{kSensor, 0, 0}, {kOtherSensor, 5, 4}}));
   EXPECT_EQ(drain(send_queue), 1);
   EXPECT_THAT(send_queue.take_key_needs(), ElementsAre(kOtherSensor));
 }
 
-TEST(SendQueue, a_sensor_that_starts_anew_has_to_begin_with_a_key_frame) {
+TEST(SendQueue, a_restarted_sensor_needs_a_key_frame) {
   SendQueue send_queue;
   send_queue.push_set(frame_set_of({{kSensor, 4, 4}}));
   EXPECT_EQ(drain(send_queue), 1);

@@ -72,8 +72,7 @@ void Session::limit(const wire::SendingLimits& limits) {
 void Session::on_message(net::MessageBuffer message) {
   const HostTime now = clock_.now();
   if (!messages_.take(1, now) || !bytes_.take(static_cast<double>(message.size()), now)) {
-    return disconnect(pb::ERROR_TOO_FAST,
-                      "more comes from here than a connection of its kind may send");
+    return disconnect(pb::ERROR_TOO_FAST, "this connection exceeds the sending limits of its role");
   }
   const auto type = wire::message_type(message.payload());
   if (!type) return refuse(type.error());
@@ -114,7 +113,7 @@ void Session::answer_clock_ping(const wire::pb::ClockPing& ping) {
   pong.mutable_clock_pong()->set_hub_ns(
       static_cast<std::uint64_t>(clock_.now().time_since_epoch().count()));
   if (!send_control(framed_control(pong))) {
-    disconnect(pb::ERROR_TOO_SLOW, "control messages pile up unread");
+    disconnect(pb::ERROR_TOO_SLOW, "too many control messages are unread");
   }
 }
 

@@ -36,7 +36,7 @@ Shard::Shard(Loops loops, SessionEvents& room, ConnectionIds& ids, UnjoinedCount
              ShardLimits limits)
     : loops_(loops), room_(room), ids_(ids), unjoined_(unjoined), limits_(limits) {}
 
-std::shared_ptr<net::ConnectionHandler> Shard::welcome(
+std::shared_ptr<net::ConnectionHandler> Shard::add_session(
     const std::shared_ptr<net::WebSocketConnection>& connection) {
   if (unjoined_ >= limits_.max_unjoined) return nullptr;
   ++unjoined_;
@@ -44,16 +44,16 @@ std::shared_ptr<net::ConnectionHandler> Shard::welcome(
   auto session = std::make_shared<Session>(std::make_shared<SessionConnection>(id, *this),
                                            *connection, *this, clock_, limits_.session);
   sessions_[id] = session;
-  expect_join(id);
+  start_join_deadline(id);
   return session;
 }
 
-void Shard::expect_join(ConnectionId id) {
+void Shard::start_join_deadline(ConnectionId id) {
   auto deadline = std::make_shared<asio::steady_timer>(loops_.io, limits_.join_within);
   deadline->async_wait([this, id, deadline](boost::system::error_code error) {
     Session* session = find(id);
     if (error || session == nullptr || session->has_joined()) return;
-    session->disconnect(wire::pb::ERROR_UNEXPECTED, "no Join came in time after connecting");
+    session->disconnect(wire::pb::ERROR_UNEXPECTED, "no Join arrived in time");
   });
 }
 
@@ -79,7 +79,7 @@ void Shard::send_control(std::vector<ConnectionId> to, net::FramedMessagePtr mes
     for (const ConnectionId connection : to) {
       Session* session = find(connection);
       if (session == nullptr || session->send_control(message)) continue;
-      session->disconnect(wire::pb::ERROR_TOO_SLOW, "control messages pile up unread");
+      session->disconnect(wire::pb::ERROR_TOO_SLOW, "too many control messages are unread");
     }
   });
 }

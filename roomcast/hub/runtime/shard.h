@@ -63,7 +63,7 @@ class Shard final : public SessionEvents {
         ShardLimits limits = {});
 
   /// Adds a new connection; null: too many connections have not joined.
-  std::shared_ptr<net::ConnectionHandler> welcome(
+  std::shared_ptr<net::ConnectionHandler> add_session(
       const std::shared_ptr<net::WebSocketConnection>& connection);
 
   // Any thread. Calls for a connection that has closed have no effect.
@@ -91,7 +91,7 @@ class Shard final : public SessionEvents {
     std::uint64_t dropped_sets = 0;  // over all viewers so far
   };
 
-  void expect_join(ConnectionId id);
+  void start_join_deadline(ConnectionId id);
   [[nodiscard]] Session* find(ConnectionId id) const;
 
   const Loops loops_;

@@ -15,7 +15,7 @@ namespace roomcast::hub {
 /// One counter and its growth rate between the last two samples.
 class Growth {
  public:
-  void look(std::uint64_t count, HostTime now) {
+  void sample(std::uint64_t count, HostTime now) {
     if (seen_ && now > at_) {
       const double passed_s = std::chrono::duration<double>(now - at_).count();
       per_s_ = count < count_ ? 0 : static_cast<double>(count - count_) / passed_s;
@@ -37,9 +37,9 @@ class Growth {
 template <class Key>
 class TrafficMeter {
  public:
-  void look(const Key& key, std::uint64_t count, HostTime now) {
+  void sample(const Key& key, std::uint64_t count, HostTime now) {
     Entry& entry = entries_[key];
-    entry.growth.look(count, now);
+    entry.growth.sample(count, now);
     entry.sampled_at = now;
   }
   [[nodiscard]] double per_s(const Key& key) const {

@@ -10,8 +10,8 @@ namespace roomcast::hub {
 namespace {
 
 const std::vector<RoomSettings> kRooms = {
-    {.name = "lab", .send = Who::kToken, .view = Who::kToken},
-    {.name = "cellar", .listed = false, .send = Who::kToken, .view = Who::kToken},
+    {.name = "lab", .send = AccessRule::kToken, .view = AccessRule::kToken},
+    {.name = "cellar", .listed = false, .send = AccessRule::kToken, .view = AccessRule::kToken},
     {.name = "open"}};
 
 /// A base class, so that it outlives the hub.
@@ -28,7 +28,7 @@ class HubAccessTest : protected WithFolder, public HubServerTest {
 
   std::string token(const std::string& room, TokenRole role, UnixSeconds ttl = 600,
                     const std::string& name = "") {
-    return book->issue({.room = room, .role = role, .name = name}, ttl)->token;
+    return store->issue({.room = room, .role = role, .name = name}, ttl)->token;
   }
 
   static pb::Control with(pb::Control join, const std::string& room, const std::string& shown) {
@@ -39,8 +39,8 @@ class HubAccessTest : protected WithFolder, public HubServerTest {
 
   std::shared_ptr<RawClient> welcomed(const pb::Control& join) {
     auto client = connect(join);
-    run_until([&] { return !client->heard.empty(); });
-    EXPECT_TRUE(client->heard.at(0).has_welcome()) << client->heard.at(0).error().sentence();
+    run_until([&] { return !client->received.empty(); });
+    EXPECT_TRUE(client->received.at(0).has_welcome()) << client->received.at(0).error().sentence();
     return client;
   }
 
@@ -49,27 +49,28 @@ class HubAccessTest : protected WithFolder, public HubServerTest {
     const auto sensor =
         welcomed(with(sensor_join("left"), "lab", token("lab", TokenRole::kSensor)));
     auto& socket = *sockets.back();
-    const auto id = SensorId{static_cast<std::uint16_t>(sensor->heard[0].welcome().sensor_id())};
+    const auto id = SensorId{static_cast<std::uint16_t>(sensor->received[0].welcome().sensor_id())};
     ASSERT_EQ(id.value, 0);
     const auto friendly = welcomed(with(viewer_join(), "lab", token("lab", TokenRole::kViewer)));
     const auto stranger = connect(join);
     for (std::uint32_t seq = 0; seq < 5; ++seq) {
-      sensor->say(key_frame(seq));
+      sensor->send(key_frame(seq));
       socket.wake();
       run_until([&] { return friendly->frames.size() > seq; });
     }
     run_until([&] { return stranger->closed.has_value(); });
-    ASSERT_EQ(stranger->heard.size(), 1U);
-    EXPECT_EQ(stranger->heard[0].error().code(), code) << stranger->heard[0].error().sentence();
-    EXPECT_FALSE(stranger->heard[0].error().sentence().empty());
+    ASSERT_EQ(stranger->received.size(), 1U);
+    EXPECT_EQ(stranger->received[0].error().code(), code)
+        << stranger->received[0].error().sentence();
+    EXPECT_FALSE(stranger->received[0].error().sentence().empty());
     EXPECT_TRUE(stranger->frames.empty());
   }
 
   UnixSeconds now = wall_time();
-  std::unique_ptr<HubStore> book = *HubStore::open(folder.path(), [this] { return now; });
+  std::unique_ptr<HubStore> store = *HubStore::open(folder.path(), [this] { return now; });
 };
 
-TEST_F(HubAccessTest, without_a_token_a_room_that_asks_for_one_is_closed) {
+TEST_F(HubAccessTest, a_room_that_needs_a_token_refuses_clients_without_one) {
   expect_refused(with(viewer_join(), "lab", ""), pb::ERROR_UNAUTHENTICATED);
 }
 
@@ -85,12 +86,12 @@ TEST_F(HubAccessTest, another_rooms_token_is_refused) {
                  pb::ERROR_WRONG_ROOM);
 }
 
-TEST_F(HubAccessTest, a_sensors_token_does_not_let_one_look) {
+TEST_F(HubAccessTest, a_sensor_token_does_not_admit_a_viewer) {
   expect_refused(with(viewer_join(), "lab", token("lab", TokenRole::kSensor)),
                  pb::ERROR_WRONG_ROLE);
 }
 
-TEST_F(HubAccessTest, a_viewers_token_does_not_let_one_send) {
+TEST_F(HubAccessTest, a_viewer_token_does_not_admit_a_sensor) {
   expect_refused(with(sensor_join("right"), "lab", token("lab", TokenRole::kViewer)),
                  pb::ERROR_WRONG_ROLE);
 }
@@ -102,56 +103,56 @@ TEST_F(HubAccessTest, a_tampered_token_is_refused) {
 }
 
 TEST_F(HubAccessTest, a_revoked_token_is_refused) {
-  const auto made = *book->issue({.room = "lab", .role = TokenRole::kViewer}, 600);
-  ASSERT_TRUE(book->revoke(made.claims.id).ok());
+  const auto made = *store->issue({.room = "lab", .role = TokenRole::kViewer}, 600);
+  ASSERT_TRUE(store->revoke(made.claims.id).ok());
   expect_refused(with(viewer_join(), "lab", made.token), pb::ERROR_TOKEN_REVOKED);
 }
 
-TEST_F(HubAccessTest, a_code_is_exchanged_once_and_its_token_is_good_again_and_again) {
+TEST_F(HubAccessTest, a_code_is_exchanged_once_and_its_token_stays_valid) {
   auto join = with(viewer_join(), "", "");
   join.mutable_join()->set_code(
-      book->issue_code({.room = "lab", .role = TokenRole::kViewer}, 600)->code);
+      store->issue_code({.room = "lab", .role = TokenRole::kViewer}, 600)->code);
   const auto viewer = welcomed(join);
-  const std::string received = viewer->heard[0].welcome().token();
+  const std::string received = viewer->received[0].welcome().token();
   EXPECT_FALSE(received.empty());
-  EXPECT_EQ(viewer->heard[0].welcome().room(), "lab");
+  EXPECT_EQ(viewer->received[0].welcome().room(), "lab");
   (void)welcomed(with(viewer_join(), "lab", received));
   expect_refused(join, pb::ERROR_CODE_USED);
 }
 
-TEST_F(HubAccessTest, a_private_room_and_one_that_is_not_there_answer_alike) {
+TEST_F(HubAccessTest, a_private_and_a_missing_room_answer_alike) {
   const auto there = connect(with(viewer_join(), "cellar", ""));
   const auto nowhere = connect(with(viewer_join(), "nowhere", ""));
   run_until([&] { return there->closed && nowhere->closed; });
-  EXPECT_EQ(there->heard[0].SerializeAsString(), nowhere->heard[0].SerializeAsString());
-  EXPECT_EQ(there->heard[0].error().code(), pb::ERROR_NO_SUCH_ROOM);
+  EXPECT_EQ(there->received[0].SerializeAsString(), nowhere->received[0].SerializeAsString());
+  EXPECT_EQ(there->received[0].error().code(), pb::ERROR_NO_SUCH_ROOM);
   EXPECT_EQ(there->closed->code, nowhere->closed->code);
 }
 
-TEST_F(HubAccessTest, nobody_sees_into_another_room) {
+TEST_F(HubAccessTest, a_viewer_gets_no_messages_of_another_room) {
   const auto sensor = welcomed(with(sensor_join("left"), "lab", token("lab", TokenRole::kSensor)));
   auto& socket = *sockets.back();
   const auto inside = welcomed(with(viewer_join(), "lab", token("lab", TokenRole::kViewer)));
   const auto outside = welcomed(with(viewer_join(), "open", ""));
   for (std::uint32_t seq = 0; seq < 5; ++seq) {
-    sensor->say(key_frame(seq));
+    sensor->send(key_frame(seq));
     socket.wake();
     run_until([&] { return inside->frames.size() > seq; });
   }
   const auto late = welcomed(with(viewer_join(), "open", ""));
-  run_until([&] { return outside->heard.back().has_roster(); });
+  run_until([&] { return outside->received.back().has_roster(); });
   EXPECT_TRUE(outside->frames.empty());
-  for (const auto& message : outside->heard) {
+  for (const auto& message : outside->received) {
     EXPECT_EQ(message.roster().sensors_size(), 0);
     EXPECT_LE(message.roster().viewers_size(), 2);
   }
 }
 
-TEST_F(HubAccessTest, nobody_sends_as_a_sensor_that_is_here) {
+TEST_F(HubAccessTest, the_name_of_an_online_sensor_is_reserved) {
   const auto sensor = welcomed(with(sensor_join("left"), "lab", token("lab", TokenRole::kSensor)));
   const auto thief = connect(with(sensor_join("left"), "lab", token("lab", TokenRole::kSensor)));
   run_until([&] { return thief->closed.has_value(); });
-  EXPECT_EQ(thief->heard.at(0).error().code(), pb::ERROR_WRONG_ROLE);
+  EXPECT_EQ(thief->received.at(0).error().code(), pb::ERROR_WRONG_ROLE);
   EXPECT_FALSE(sensor->closed);
 }
 
@@ -160,37 +161,37 @@ TEST_F(HubAccessTest, a_frame_before_the_welcome_ends_the_connection) {
       connect({framed_control(with(sensor_join("left"), "lab", token("lab", TokenRole::kSensor))),
                key_frame(0)});
   run_until([&] { return hasty->closed.has_value(); });
-  EXPECT_EQ(hasty->heard.back().error().code(), pb::ERROR_UNEXPECTED);
+  EXPECT_EQ(hasty->received.back().error().code(), pb::ERROR_UNEXPECTED);
 }
 
-TEST_F(HubAccessTest, whoever_is_inside_with_a_token_that_another_program_revokes_is_sent_away) {
-  const auto made = *book->issue({.room = "lab", .role = TokenRole::kViewer}, 600);
+TEST_F(HubAccessTest, a_client_is_disconnected_when_another_program_revokes_its_token) {
+  const auto made = *store->issue({.room = "lab", .role = TokenRole::kViewer}, 600);
   const auto viewer = welcomed(with(viewer_join(), "lab", made.token));
-  ASSERT_TRUE(book->revoke(made.claims.id).ok());
+  ASSERT_TRUE(store->revoke(made.claims.id).ok());
   run_until([&] { return viewer->closed.has_value(); });
-  EXPECT_EQ(viewer->heard.back().error().code(), pb::ERROR_TOKEN_REVOKED);
+  EXPECT_EQ(viewer->received.back().error().code(), pb::ERROR_TOKEN_REVOKED);
 }
 
-TEST_F(HubAccessTest, whoever_is_inside_leaves_when_the_token_ends) {
+TEST_F(HubAccessTest, a_client_is_disconnected_when_its_token_expires) {
   const auto viewer = welcomed(with(viewer_join(), "lab", token("lab", TokenRole::kViewer, 2)));
   run_until([&] { return viewer->closed.has_value(); });
-  EXPECT_EQ(viewer->heard.back().error().code(), pb::ERROR_TOKEN_EXPIRED);
+  EXPECT_EQ(viewer->received.back().error().code(), pb::ERROR_TOKEN_EXPIRED);
 }
 
-TEST_F(HubAccessTest, the_hubs_own_token_opens_everything) {
+TEST_F(HubAccessTest, the_hubs_own_token_admits_to_every_room) {
   EXPECT_TRUE(
-      welcomed(with(viewer_join(), "cellar", hub->own_token()))->heard[0].welcome().may_place());
+      welcomed(with(viewer_join(), "cellar", hub->own_token()))->received[0].welcome().may_place());
 }
 
-class HubDoorTest : public HubServerTest {
+class ConnectionLimitTest : public HubServerTest {
  protected:
-  HubDoorTest() : HubServerTest({.limits = {.max_unsettled_per_peer = 4, .proxies = {}}}) {}
+  ConnectionLimitTest() : HubServerTest({.limits = {.max_unsettled_per_peer = 4, .proxies = {}}}) {}
 };
 
-TEST_F(HubDoorTest, one_address_cannot_take_all_the_places_and_who_is_inside_takes_none) {
+TEST_F(ConnectionLimitTest, limits_the_unjoined_connections_of_one_address) {
   for (int i = 0; i < 6; ++i) {
     const auto viewer = connect(viewer_join());
-    run_until([&] { return !viewer->heard.empty(); });
+    run_until([&] { return !viewer->received.empty(); });
   }
   for (int i = 0; i < 4; ++i) (void)connect(std::deque<net::FramedMessagePtr>());
   bool answered = false;

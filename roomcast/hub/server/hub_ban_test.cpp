@@ -39,13 +39,13 @@ class HubBanTest : protected HubWithFolder, public HubServerTest {
   std::string answers(const std::string& requests) {
     asio::ip::tcp::socket socket(io);
     socket.connect({asio::ip::address_v4::loopback(), hub->port()});
-    std::string heard;
+    std::string received;
     bool closed = false;
     asio::async_write(socket, asio::buffer(requests), [&](auto, auto) {
-      asio::async_read(socket, asio::dynamic_buffer(heard), [&](auto, auto) { closed = true; });
+      asio::async_read(socket, asio::dynamic_buffer(received), [&](auto, auto) { closed = true; });
     });
     run_until([&] { return closed; });
-    return heard;
+    return received;
   }
 
   /// The status code of the answer; 0: no answer.
@@ -70,10 +70,10 @@ class HubBanTest : protected HubWithFolder, public HubServerTest {
   }
 
   UnixSeconds now = wall_time();
-  std::unique_ptr<HubStore> book = *HubStore::open(folder.path(), [this] { return now; });
+  std::unique_ptr<HubStore> store = *HubStore::open(folder.path(), [this] { return now; });
 };
 
-TEST_F(HubBanTest, an_address_with_bad_tokens_is_no_longer_listened_to) {
+TEST_F(HubBanTest, an_address_with_bad_tokens_is_banned) {
   for (std::size_t i = 0; i < kFaults; ++i) {
     EXPECT_TRUE(is_listened_to());
     join_with_a_bad_token();
@@ -81,7 +81,7 @@ TEST_F(HubBanTest, an_address_with_bad_tokens_is_no_longer_listened_to) {
   EXPECT_FALSE(is_listened_to());
 }
 
-TEST_F(HubBanTest, bad_tokens_of_requests_count_as_those_of_joins) {
+TEST_F(HubBanTest, bad_tokens_of_requests_and_joins_count_alike) {
   join_with_a_bad_token();
   EXPECT_EQ(ask("/api/v1/status", "Bearer guessed"), 401);
   EXPECT_TRUE(is_listened_to());
@@ -89,23 +89,24 @@ TEST_F(HubBanTest, bad_tokens_of_requests_count_as_those_of_joins) {
   EXPECT_FALSE(is_listened_to());
 }
 
-TEST_F(HubBanTest, who_is_not_listened_to_is_not_on_a_connection_that_is_open_either) {
+TEST_F(HubBanTest, a_ban_applies_to_open_connections) {
   std::string guesses;
   for (std::size_t i = 0; i < kFaults + 1; ++i) {
     guesses += request("/api/v1/rooms", "Bearer guessed", false);
   }
-  const std::string heard = answers(guesses);
+  const std::string received = answers(guesses);
   std::size_t refusals = 0;
   const std::string refusal = "HTTP/1.1 401";
-  for (auto at = heard.find(refusal); at != std::string::npos; at = heard.find(refusal, at + 1)) {
+  for (auto at = received.find(refusal); at != std::string::npos;
+       at = received.find(refusal, at + 1)) {
     ++refusals;
   }
   EXPECT_EQ(refusals, kFaults);
 }
 
-TEST_F(HubBanTest, an_old_token_or_none_is_an_honest_mistake) {
+TEST_F(HubBanTest, an_expired_or_missing_token_does_not_ban) {
   now -= 1000;
-  const std::string old = book->issue({.room = "*", .role = TokenRole::kAdmin}, 10)->token;
+  const std::string old = store->issue({.room = "*", .role = TokenRole::kAdmin}, 10)->token;
   now += 1000;
   for (std::size_t i = 0; i <= kFaults; ++i) {
     for (const char* path : {"/api/v1/status", "/metrics"}) {
@@ -122,7 +123,7 @@ class HubBehindAProxyTest : public HubBanTest {
   HubBehindAProxyTest() : HubBanTest({"127.0.0.1"}) {}
 };
 
-TEST_F(HubBehindAProxyTest, who_brings_everyone_is_not_banned_for_somebodys_bad_tokens) {
+TEST_F(HubBehindAProxyTest, a_proxy_is_not_banned_for_bad_tokens_of_its_clients) {
   for (std::size_t i = 0; i <= kFaults; ++i) {
     join_with_a_bad_token();
     EXPECT_EQ(ask("/api/v1/status", "Bearer guessed"), 401);

@@ -25,8 +25,8 @@ struct WithLog {
     const std::lock_guard lock(mutex);
     std::optional<Fields> found;
     for (const Fields& fields : lines) {
-      const auto told = fields.find("event");
-      if (told != fields.end() && told->second == event) found = fields;
+      const auto entry = fields.find("event");
+      if (entry != fields.end() && entry->second == event) found = fields;
     }
     return found;
   }
@@ -38,8 +38,8 @@ struct WithLog {
 class HubLogTest : protected WithLog, public HubServerTest {
  protected:
   HubLogTest()
-      : HubServerTest(
-            {.rooms = {{.name = "lab", .view = Who::kToken}, {.name = "open"}}, .log = sink()}) {}
+      : HubServerTest({.rooms = {{.name = "lab", .view = AccessRule::kToken}, {.name = "open"}},
+                       .log = sink()}) {}
 
   static pb::Control in_room(pb::Control join, const std::string& room) {
     join.mutable_join()->set_room(room);
@@ -47,58 +47,59 @@ class HubLogTest : protected WithLog, public HubServerTest {
   }
   std::shared_ptr<RawClient> answered(const pb::Control& join) {
     auto client = connect(join);
-    run_until([&] { return !client->heard.empty(); });
+    run_until([&] { return !client->received.empty(); });
     return client;
   }
   /// Waits for the line, because it is written on the hub's threads.
-  Fields told(std::string_view event) {
+  Fields logged(std::string_view event) {
     const auto give_up = std::chrono::steady_clock::now() + 5s;
     std::optional<Fields> fields;
     while (!(fields = last(event)) && std::chrono::steady_clock::now() < give_up) {
       io.run_for(1ms);
       io.restart();
     }
-    EXPECT_TRUE(fields) << "nothing of " << event;
+    EXPECT_TRUE(fields) << "no line of " << event;
     return fields.value_or(Fields());
   }
 };
 
-TEST_F(HubLogTest, names_who_joins_which_room_from_where_and_who_leaves_it) {
+TEST_F(HubLogTest, logs_joining_and_leaving_clients) {
   auto sensor = answered(in_room(sensor_join("left"), "open"));
-  Fields join = told("join");
+  Fields join = logged("join");
   EXPECT_EQ(join["room"], "open");
   EXPECT_EQ(join["role"], "sensor");
   EXPECT_EQ(join["name"], "left");
   EXPECT_EQ(join["peer"].find("127.0.0.1:"), 0U) << join["peer"];
   sockets.back()->close(net::close_code::kNormal, "left");
-  Fields leave = told("leave");
+  Fields leave = logged("leave");
   EXPECT_EQ(leave["room"], "open");
   EXPECT_EQ(leave["name"], "left");
   EXPECT_EQ(leave["peer"], join["peer"]);
 }
 
-TEST_F(HubLogTest, names_who_is_refused_with_the_code_that_it_is_told) {
+TEST_F(HubLogTest, logs_refused_clients_with_the_error_code) {
   answered(in_room(viewer_join(), "lab"));
-  Fields refuse = told("refuse");
+  Fields refuse = logged("refuse");
   EXPECT_EQ(refuse["room"], "lab");
   EXPECT_EQ(refuse["role"], "viewer");
   EXPECT_EQ(refuse["error"], "ERROR_UNAUTHENTICATED");
 }
 
-TEST_F(HubLogTest, names_the_token_of_who_is_inside) {
+TEST_F(HubLogTest, logs_the_token_of_a_joined_client) {
   pb::Control join = in_room(viewer_join(), "lab");
   join.mutable_join()->set_token(hub->own_token());
   const auto viewer = answered(join);
-  ASSERT_TRUE(viewer->heard.at(0).has_welcome()) << viewer->heard.at(0).error().sentence();
-  Fields fields = told("join");
+  ASSERT_TRUE(viewer->received.at(0).has_welcome()) << viewer->received.at(0).error().sentence();
+  Fields fields = logged("join");
   EXPECT_FALSE(fields["token"].empty());
-  EXPECT_EQ(hub->own_token().find(fields["token"]), std::string::npos) << "not what lets one in";
+  EXPECT_EQ(hub->own_token().find(fields["token"]), std::string::npos)
+      << "an ID, not the token itself";
 }
 
-TEST_F(HubLogTest, names_who_is_sent_away_and_why) {
+TEST_F(HubLogTest, logs_disconnected_clients_with_the_reason) {
   answered(in_room(sensor_join("left"), "open"));
   answered(in_room(sensor_join("left"), "open"));  // without tokens it may replace the earlier one
-  Fields away = told("send_away");
+  Fields away = logged("send_away");
   EXPECT_EQ(away["name"], "left");
   EXPECT_FALSE(away["error"].empty());
 }

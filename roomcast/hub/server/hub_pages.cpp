@@ -19,17 +19,17 @@ constexpr char kNoPage[] =
 
 }  // namespace
 
-HubPages::HubPages(std::optional<net::StaticSite> site, RoomRegistry& hall,
+HubPages::HubPages(std::optional<net::StaticSite> site, RoomRegistry& registry,
                    StoreWorker& store_worker, boost::asio::io_context& rooms_io,
                    bool metrics_for_anyone, std::string version, RoomRecordings* recordings,
                    const LogSink& log)
     : site_(std::move(site)),
-      registry_(hall),
+      registry_(registry),
       rooms_io_(rooms_io),
       metrics_for_anyone_(metrics_for_anyone),
       version_(version),
-      door_(hall, store_worker, log),
-      admin_(hall, store_worker, std::move(version), recordings, log) {}
+      accept_io_(registry, store_worker, log),
+      admin_(registry, store_worker, std::move(version), recordings, log) {}
 
 std::vector<std::string> HubPages::request_paths() {
   return {"/api/", "/healthz", "/metrics"};
@@ -65,11 +65,11 @@ void HubPages::answer_here(const net::HttpRequest& request, net::Respond respond
     return respond(net::text_response(404, "There is nothing at this address.\n"));
   }
   if (metrics_for_anyone_) return respond(metrics());
-  door_.admit(request, true, std::move(respond), [this](const Caller& caller) {
+  accept_io_.admit(request, true, std::move(respond), [this](const Caller& caller) {
     caller.respond(caller.is_hub_admin()
                        ? metrics()
                        : error_answer(Refusal{wire::pb::ERROR_WRONG_ROLE,
-                                              "metrics take a token of the hub's admin"}));
+                                              "metrics need a token of the hub's admin"}));
   });
 }
 

@@ -24,7 +24,7 @@ namespace roomcast::hub {
 
 class HubPages {
  public:
-  HubPages(std::optional<net::StaticSite> site, RoomRegistry& hall, StoreWorker& store_worker,
+  HubPages(std::optional<net::StaticSite> site, RoomRegistry& registry, StoreWorker& store_worker,
            boost::asio::io_context& rooms_io, bool metrics_for_anyone, std::string version,
            RoomRecordings* recordings, const LogSink& log);
 
@@ -49,7 +49,7 @@ class HubPages {
   boost::asio::io_context& rooms_io_;
   const bool metrics_for_anyone_;
   const std::string version_;
-  AdminAuth door_;
+  AdminAuth accept_io_;
   AdminApi admin_;
   const net::HttpServer* server_ = nullptr;
   PeerOrigins peer_origins_;

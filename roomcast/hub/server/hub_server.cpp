@@ -24,7 +24,7 @@ namespace {
 
 namespace asio = boost::asio;
 constexpr std::chrono::seconds kCloseTimeout{3};  // a connection itself takes at most 2 s to close
-constexpr std::chrono::milliseconds kGoodbyeLook{10};
+constexpr std::chrono::milliseconds kClosePollInterval{10};
 constexpr int kAcceptThreadNiceness = 10;  // clients in rooms go before new connections
 
 /// The rooms of the options, replaced and extended by those that the store has.
@@ -46,7 +46,7 @@ std::set<std::string> names_of(const std::vector<RoomSettings>& rooms) {
 
 class HubServer::Loop {
  public:
-  Loop(HubOptions options, std::unique_ptr<HubStore> book, std::optional<net::StaticSite> site);
+  Loop(HubOptions options, std::unique_ptr<HubStore> store, std::optional<net::StaticSite> site);
   ~Loop();
 
   /// Must be called before any room is opened.
@@ -70,7 +70,7 @@ class HubServer::Loop {
   UnjoinedCount unjoined_ = 0;
   // One per thread; the first is the rooms'.
   std::vector<std::unique_ptr<asio::io_context>> loops_;
-  std::unique_ptr<asio::io_context> door_ = std::make_unique<asio::io_context>(1);
+  std::unique_ptr<asio::io_context> accept_io_ = std::make_unique<asio::io_context>(1);
   std::vector<std::unique_ptr<Shard>> shards_;
   std::unique_ptr<StoreWorker> store_worker_;
   std::unique_ptr<RoomRegistry> registry_;
@@ -79,12 +79,12 @@ class HubServer::Loop {
   std::unique_ptr<net::HttpServer> http_;
 };
 
-HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubStore> book,
+HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubStore> store,
                       std::optional<net::StaticSite> site)
-    : options_(std::move(options)), own_token_(book->sign_own()) {
+    : options_(std::move(options)), own_token_(store->sign_own()) {
   const std::size_t count = std::max<std::size_t>(options_.threads, 1);
   for (std::size_t i = 0; i < count; ++i) loops_.push_back(std::make_unique<asio::io_context>(1));
-  store_worker_ = std::make_unique<StoreWorker>(std::move(book), io());
+  store_worker_ = std::make_unique<StoreWorker>(std::move(store), io());
   registry_ = std::make_unique<RoomRegistry>(
       RoomRegistryOptions{.hub_version = ROOMCAST_VERSION,
                           .recalls_poses = options_.recalls_poses,
@@ -105,8 +105,8 @@ HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubStore> book,
 }
 
 // The store worker goes first: its work ends, and its last answers go to a loop that still exists.
-// The rooms' loop goes before the door's, because handlers pending there own HTTP sessions that use
-// the door's loop.
+// The rooms' loop goes before the accept loop, because handlers pending there own HTTP sessions
+// that use the accept loop.
 HubServer::Loop::~Loop() {
   store_worker_.reset();
   http_.reset();
@@ -114,7 +114,7 @@ HubServer::Loop::~Loop() {
   backplane_.reset();
   registry_.reset();
   loops_.front().reset();
-  door_.reset();
+  accept_io_.reset();
   for (auto& loop : loops_) loop.reset();
 }
 
@@ -125,12 +125,12 @@ Status HubServer::Loop::open_backplane() {
        .rooms = *registry_,
        .connection_ids = connection_ids_,
        .token = own_token_,
-       .revoke = [this](std::vector<Claims> tokens) { registry_->take_revoked(std::move(tokens)); },
+       .revoke = [this](std::vector<Claims> tokens) { registry_->add_revoked(std::move(tokens)); },
        .send_revoked = [this] { registry_->send_revoked(); },
-       .name_hubs =
+       .set_peer_urls =
            [this](std::vector<std::string> urls) {
-             asio::post(*door_,
-                        [this, urls = std::move(urls)] { pages_->peer_origins().are(urls); });
+             asio::post(*accept_io_,
+                        [this, urls = std::move(urls)] { pages_->peer_origins().add(urls); });
            }});
   if (!opened) return opened.error();
   backplane_ = *std::move(opened);
@@ -158,7 +158,7 @@ net::HttpServerOptions HubServer::Loop::http_options() {
     pages_->answer(std::move(request), std::move(respond));
   };
   http.on_websocket = [this](const auto& connection, std::size_t thread) {
-    return shards_[thread]->welcome(connection);
+    return shards_[thread]->add_session(connection);
   };
   http.may_connect = [this](const std::string& peer) { return registry_->may_connect(peer); };
   http.max_connections = options_.limits.max_connections;
@@ -171,7 +171,7 @@ net::HttpServerOptions HubServer::Loop::http_options() {
 Status HubServer::Loop::listen() {
   std::vector<asio::io_context*> workers;
   for (const auto& loop : loops_) workers.push_back(loop.get());
-  auto server = net::HttpServer::listen(*door_, workers, http_options(), options_.log);
+  auto server = net::HttpServer::listen(*accept_io_, workers, http_options(), options_.log);
   if (!server) return server.error();
   http_ = std::move(*server);
   pages_->count_connections_of(*http_);
@@ -179,18 +179,19 @@ Status HubServer::Loop::listen() {
 }
 
 void HubServer::Loop::replace_tls(std::shared_ptr<const net::TlsServerContext> tls) {
-  asio::post(*door_, [this, tls = std::move(tls)]() mutable { http_->set_tls(std::move(tls)); });
+  asio::post(*accept_io_,
+             [this, tls = std::move(tls)]() mutable { http_->set_tls(std::move(tls)); });
 }
 
 void HubServer::Loop::run(const std::stop_token& stop) {
   const std::stop_callback wake_up(stop, [this] { asio::post(io(), [] {}); });
   std::vector<asio::executor_work_guard<asio::io_context::executor_type>> keep_alive;
   for (const auto& loop : loops_) keep_alive.push_back(asio::make_work_guard(*loop));
-  keep_alive.push_back(asio::make_work_guard(*door_));
+  keep_alive.push_back(asio::make_work_guard(*accept_io_));
   std::vector<std::jthread> others;
   others.emplace_back([this] {
     (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kAcceptThreadNiceness);
-    door_->run();
+    accept_io_->run();
   });
   for (std::size_t i = 1; i < loops_.size(); ++i) {
     others.emplace_back([loop = loops_[i].get()] { loop->run(); });
@@ -199,14 +200,14 @@ void HubServer::Loop::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) io().run_one();
   close_connections();
   for (std::size_t i = 1; i < loops_.size(); ++i) loops_[i]->stop();
-  door_->stop();
+  accept_io_->stop();
 }
 
 void HubServer::Loop::close_connections() {
-  asio::post(*door_, [this] { http_->stop(); });
+  asio::post(*accept_io_, [this] { http_->stop(); });
   const auto give_up = std::chrono::steady_clock::now() + kCloseTimeout;
   while (http_->connection_count() > 0 && std::chrono::steady_clock::now() < give_up) {
-    io().run_one_for(kGoodbyeLook);
+    io().run_one_for(kClosePollInterval);
   }
 }
 
@@ -223,18 +224,18 @@ Result<std::unique_ptr<HubServer>> HubServer::open(HubOptions options) {
     if (!loaded) return loaded.error();
     site = std::move(*loaded);
   }
-  auto book = HubStore::open(options.data_folder);
-  if (!book) return book.error();
-  const auto kept = (*book)->rooms().load();
+  auto store = HubStore::open(options.data_folder);
+  if (!store) return store.error();
+  const auto kept = (*store)->rooms().load();
   if (!kept) return kept.error();
   const auto rooms = rooms_to_open(options, *kept);
   std::map<std::string, std::vector<KnownSensor>> sensors;
   for (const auto& [name, settings] : rooms) {
-    auto known = (*book)->sensors().load(name);
+    auto known = (*store)->sensors().load(name);
     if (!known) return known.error();
     sensors[name] = *std::move(known);
   }
-  auto loop = std::make_unique<Loop>(std::move(options), *std::move(book), std::move(site));
+  auto loop = std::make_unique<Loop>(std::move(options), *std::move(store), std::move(site));
   if (auto status = loop->open_backplane(); !status) return status.error();
   loop->open_rooms(rooms, std::move(sensors));
   if (auto status = loop->listen(); !status) return status.error();

@@ -39,7 +39,7 @@ class RawClient final : public net::ConnectionHandler {
     }
     auto control = wire::decode_control(message.payload(), wire::Sender::kHub);
     ASSERT_TRUE(control.ok());
-    heard.push_back(std::move(*control));
+    received.push_back(std::move(*control));
   }
   net::FramedMessagePtr next_message() override {
     if (to_send_.empty()) return nullptr;
@@ -49,9 +49,9 @@ class RawClient final : public net::ConnectionHandler {
   }
   void on_closed(const net::CloseReason& reason) override { closed = reason; }
 
-  void say(net::FramedMessagePtr message) { to_send_.push_back(std::move(message)); }
+  void send(net::FramedMessagePtr message) { to_send_.push_back(std::move(message)); }
 
-  std::vector<pb::Control> heard;
+  std::vector<pb::Control> received;
   std::vector<wire::FrameHeader> frames;
   std::optional<net::CloseReason> closed;
 

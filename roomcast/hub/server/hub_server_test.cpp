@@ -8,46 +8,46 @@
 namespace roomcast::hub {
 namespace {
 
-TEST_F(HubServerTest, a_viewer_is_welcomed_and_told_who_is_there) {
+TEST_F(HubServerTest, a_viewer_gets_a_welcome_and_the_roster) {
   const auto viewer = connect(viewer_join());
-  run_until([&] { return viewer->heard.size() >= 2; });
-  EXPECT_TRUE(viewer->heard[0].has_welcome());
-  EXPECT_TRUE(viewer->heard[1].has_roster());
+  run_until([&] { return viewer->received.size() >= 2; });
+  EXPECT_TRUE(viewer->received[0].has_welcome());
+  EXPECT_TRUE(viewer->received[1].has_roster());
 }
 
-TEST_F(HubServerTest, nonsense_is_answered_with_a_reason_and_a_closed_door) {
+TEST_F(HubServerTest, an_invalid_message_is_answered_with_a_reason_and_a_close) {
   const auto stranger =
       connect({net::frame_message(net::MessageBuffer(std::vector<std::uint8_t>{1, 2, 3}))});
   run_until([&] { return stranger->closed.has_value(); });
-  ASSERT_EQ(stranger->heard.size(), 1u);
-  EXPECT_EQ(stranger->heard[0].error().code(), pb::ERROR_MALFORMED);
+  ASSERT_EQ(stranger->received.size(), 1u);
+  EXPECT_EQ(stranger->received[0].error().code(), pb::ERROR_MALFORMED);
   EXPECT_EQ(stranger->closed->code, net::close_code::kPolicy);
-  EXPECT_EQ(stranger->closed->sentence, stranger->heard[0].error().sentence());
+  EXPECT_EQ(stranger->closed->sentence, stranger->received[0].error().sentence());
 }
 
-TEST_F(HubServerTest, nonsense_of_one_does_not_harm_another) {
+TEST_F(HubServerTest, an_invalid_message_leaves_other_clients_connected) {
   const auto viewer = connect(viewer_join());
-  run_until([&] { return viewer->heard.size() >= 2; });
+  run_until([&] { return viewer->received.size() >= 2; });
   const auto stranger =
       connect({net::frame_message(net::MessageBuffer(std::vector<std::uint8_t>{1, 2, 3}))});
   run_until([&] { return stranger->closed.has_value(); });
   const auto another = connect(viewer_join());
-  run_until([&] { return another->heard.size() >= 2 && viewer->heard.size() >= 3; });
+  run_until([&] { return another->received.size() >= 2 && viewer->received.size() >= 3; });
   EXPECT_FALSE(viewer->closed);
-  EXPECT_EQ(viewer->heard.back().roster().viewers_size(), 2);
+  EXPECT_EQ(viewer->received.back().roster().viewers_size(), 2);
 }
 
 TEST_F(HubServerTest, clock_pings_are_answered_with_room_time) {
   const auto before = SteadyClock().now();
   const auto viewer = connect({framed_control(viewer_join()), clock_ping(5)});
   const auto pong = [&] {
-    return std::ranges::find_if(viewer->heard, [](const auto& m) { return m.has_clock_pong(); });
+    return std::ranges::find_if(viewer->received, [](const auto& m) { return m.has_clock_pong(); });
   };
-  run_until([&] { return pong() != viewer->heard.end(); });
+  run_until([&] { return pong() != viewer->received.end(); });
   EXPECT_EQ(pong()->clock_pong().client_ns(), 5U);
-  const HostTime told(nanoseconds(pong()->clock_pong().hub_ns()));
-  EXPECT_GE(told, before);
-  EXPECT_LE(told, SteadyClock().now());
+  const HostTime room_time(nanoseconds(pong()->clock_pong().hub_ns()));
+  EXPECT_GE(room_time, before);
+  EXPECT_LE(room_time, SteadyClock().now());
 }
 
 /// Runs the same hub on one thread and on several.
@@ -60,12 +60,12 @@ INSTANTIATE_TEST_SUITE_P(Threads, HubOnThreadsTest, testing::Values(1, 2, 3));
 TEST_P(HubOnThreadsTest, all_viewers_get_all_frames_in_order) {
   std::vector<std::shared_ptr<RawClient>> viewers;
   for (int i = 0; i < 5; ++i) viewers.push_back(connect(viewer_join()));
-  for (const auto& viewer : viewers) run_until([&] { return viewer->heard.size() >= 2; });
+  for (const auto& viewer : viewers) run_until([&] { return viewer->received.size() >= 2; });
   const auto sensor = connect(sensor_join("left"));
-  run_until([&] { return sensor->heard.size() >= 1 && sensor->heard[0].has_welcome(); });
+  run_until([&] { return sensor->received.size() >= 1 && sensor->received[0].has_welcome(); });
   constexpr std::uint32_t kFrames = 20;
   for (std::uint32_t seq = 0; seq < kFrames; ++seq) {
-    sensor->say(key_frame(seq));
+    sensor->send(key_frame(seq));
     sockets.back()->wake();
     for (const auto& viewer : viewers) run_until([&] { return viewer->frames.size() > seq; });
   }
@@ -74,38 +74,38 @@ TEST_P(HubOnThreadsTest, all_viewers_get_all_frames_in_order) {
   }
 }
 
-TEST_P(HubOnThreadsTest, viewers_come_and_go) {
+TEST_P(HubOnThreadsTest, viewers_can_join_and_leave_at_any_time) {
   for (std::size_t round = 0; round < 4; ++round) {
     const auto staying = connect(viewer_join());
-    run_until([&] { return staying->heard.size() >= 2; });
+    run_until([&] { return staying->received.size() >= 2; });
     const auto going = connect(viewer_join());
-    run_until([&] { return going->heard.size() >= 2; });
+    run_until([&] { return going->received.size() >= 2; });
     sockets.back()->close(net::close_code::kNormal, "");
     run_until([&] {
-      return staying->heard.back().has_roster() &&
-             staying->heard.back().roster().viewers_size() == static_cast<int>(round) + 1;
+      return staying->received.back().has_roster() &&
+             staying->received.back().roster().viewers_size() == static_cast<int>(round) + 1;
     });
   }
 }
 
-class ImpatientHubTest : public HubServerTest {
+class JoinDeadlineTest : public HubServerTest {
  protected:
-  ImpatientHubTest() : HubServerTest({.join_within = 50ms}) {}
+  JoinDeadlineTest() : HubServerTest({.join_within = 50ms}) {}
 };
 
-TEST_F(ImpatientHubTest, who_says_nothing_is_shown_the_door) {
+TEST_F(JoinDeadlineTest, a_silent_connection_is_closed) {
   const auto silent = connect(std::deque<net::FramedMessagePtr>());
   run_until([&] { return silent->closed.has_value(); });
-  EXPECT_EQ(silent->heard.at(0).error().code(), pb::ERROR_UNEXPECTED);
+  EXPECT_EQ(silent->received.at(0).error().code(), pb::ERROR_UNEXPECTED);
 }
 
 TEST_F(HubServerTest, joining_twice_ends_the_connection) {
   const auto viewer = connect({framed_control(viewer_join()), framed_control(viewer_join())});
   run_until([&] { return viewer->closed.has_value(); });
-  EXPECT_EQ(viewer->heard.back().error().code(), pb::ERROR_UNEXPECTED);
+  EXPECT_EQ(viewer->received.back().error().code(), pb::ERROR_UNEXPECTED);
 }
 
-TEST_F(HubServerTest, control_messages_of_strangers_are_small) {
+TEST_F(HubServerTest, limits_control_messages_before_a_join) {
   const auto stranger = connect({net::frame_message(
       net::MessageBuffer(std::vector<std::uint8_t>(wire::kMaxControlFromClientBytes + 1, 0)))});
   run_until([&] { return stranger->closed.has_value(); });
@@ -117,7 +117,7 @@ class SmallHubTest : public HubServerTest {
   SmallHubTest() : HubServerTest({.limits = {.max_unjoined = 8}}) {}
 };
 
-TEST_F(SmallHubTest, so_many_may_wait_at_the_door_and_no_more) {
+TEST_F(SmallHubTest, limits_unjoined_connections) {
   std::vector<std::shared_ptr<RawClient>> crowd;
   for (int i = 0; i < 8; ++i) crowd.push_back(connect(std::deque<net::FramedMessagePtr>()));
   const auto one_more = connect(std::deque<net::FramedMessagePtr>());
@@ -125,10 +125,10 @@ TEST_F(SmallHubTest, so_many_may_wait_at_the_door_and_no_more) {
   EXPECT_EQ(one_more->closed->code, net::close_code::kTryAgainLater);
 }
 
-TEST_P(HubOnThreadsTest, a_stopping_hub_says_good_bye) {
+TEST_P(HubOnThreadsTest, a_stopping_hub_sends_close_frames) {
   std::vector<std::shared_ptr<RawClient>> viewers;
   for (int i = 0; i < 3; ++i) viewers.push_back(connect(viewer_join()));
-  for (const auto& viewer : viewers) run_until([&] { return viewer->heard.size() >= 2; });
+  for (const auto& viewer : viewers) run_until([&] { return viewer->received.size() >= 2; });
   thread.request_stop();
   for (const auto& viewer : viewers) {
     run_until([&] { return viewer->closed.has_value(); });

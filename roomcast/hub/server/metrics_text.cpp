@@ -35,7 +35,7 @@ class MetricsWriter {
          << "\nprocess_" << name << " " << value << "\n";
   }
   void build_info(const std::string& version) {
-    begin("build_info", "gauge", "Always 1; which version this is.");
+    begin("build_info", "gauge", "Always 1; the label is the version.");
     out_ << "roomcast_build_info{version=" << quoted(version) << "} 1\n";
   }
   template <class ValueOf>
@@ -90,8 +90,7 @@ void write_hub(const HubStats& hub, MetricsWriter& out) {
   out.of_hub("refused_joins_total", "counter",
              "Joins refused because of their token, their rights or an unknown room.",
              hub.refused_joins);
-  out.of_hub("banned_peers", "gauge", "Addresses that are not listened to for a while.",
-             hub.banned_peers);
+  out.of_hub("banned_peers", "gauge", "Banned addresses.", hub.banned_peers);
   out.build_info(hub.version);
   out.of_process("cpu_seconds_total", "counter", "Processor time, user and system.",
                  hub.process.cpu_s);
@@ -100,10 +99,10 @@ void write_hub(const HubStats& hub, MetricsWriter& out) {
 
 void write_backplane(const BackplaneStats& stats, MetricsWriter& out) {
   out.of_hub("backplane_links", "gauge",
-             "Connections to other hubs that it wants: to NATS, or one for each room pulled.",
-             stats.links);
-  out.of_hub("backplane_links_up", "gauge", "Those of them that it has.", stats.links_up);
-  out.of_hub("backplane_other_hubs", "gauge", "Other hubs heard of over NATS.", stats.other_hubs);
+             "Links to other hubs that are needed: to NATS, or one per room pulled.", stats.links);
+  out.of_hub("backplane_links_up", "gauge", "Links to other hubs that are connected.",
+             stats.links_up);
+  out.of_hub("backplane_other_hubs", "gauge", "Other hubs known over NATS.", stats.other_hubs);
   out.of_hub("backplane_sent_messages_total", "counter", "Messages to other hubs.",
              stats.sent.messages);
   out.of_hub("backplane_sent_bytes_total", "counter", "Bytes of these.", stats.sent.bytes);
@@ -119,23 +118,24 @@ void write_rooms(MetricsWriter& out) {
                [](const RoomStats& room) { return room.viewers.size(); });
   out.of_rooms("sets_total", "counter", "Frame sets that were closed.",
                [](const RoomStats& room) { return room.sets; });
-  out.of_rooms("incomplete_sets_total", "counter", "Those without a frame of every sensor online.",
+  out.of_rooms("incomplete_sets_total", "counter",
+               "Closed sets without a frame of every online sensor.",
                [](const RoomStats& room) { return room.incomplete_sets; });
   out.of_rooms("set_skew_seconds", "gauge", "First to last capture in the newest set.",
                [](const RoomStats& room) { return room.set_skew_s; });
-  out.of_rooms("dropped_sets_total", "counter", "Sets left out for slow viewers, over all viewers.",
+  out.of_rooms("dropped_sets_total", "counter", "Sets dropped for slow viewers, over all viewers.",
                [](const RoomStats& room) { return room.dropped_sets; });
 }
 
 void write_sensors(MetricsWriter& out) {
   out.of_sensors("sensor_online", "gauge", "1 while the sensor is connected.",
                  [](const SensorStats& s) { return s.online ? 1 : 0; });
-  out.of_sensors("sensor_frames_total", "counter", "Frames that came from the sensor.",
+  out.of_sensors("sensor_frames_total", "counter", "Frames received from the sensor.",
                  [](const SensorStats& s) { return s.frames; });
   out.of_sensors("sensor_bytes_total", "counter", "Bytes of these frames.",
                  [](const SensorStats& s) { return s.bytes; });
   out.of_sensors("sensor_dropped_frames_total", "counter",
-                 "Frames that the sensor has numbered and that did not come.",
+                 "Frames missing from the sensor's sequence numbers.",
                  [](const SensorStats& s) { return s.missed; });
   out.of_sensors("sensor_frames_per_second", "gauge", "Lately.",
                  [](const SensorStats& s) { return s.frames_per_s; });
@@ -151,11 +151,14 @@ void write_viewers(MetricsWriter& out) {
                  [](const ViewerStats& v) { return v.bytes; });
   out.of_viewers("viewer_bytes_per_second", "gauge", "Lately.",
                  [](const ViewerStats& v) { return v.bytes_per_s; });
-  out.of_viewers("viewer_dropped_sets_total", "counter", "Sets left out because it reads slowly.",
+  out.of_viewers("viewer_dropped_sets_total", "counter",
+                 "Sets dropped because the viewer reads slowly.",
                  [](const ViewerStats& v) { return v.dropped_sets; });
-  out.of_viewers("viewer_shown_per_second", "gauge", "Frame sets that it shows, by its own word.",
+  out.of_viewers("viewer_shown_per_second", "gauge",
+                 "Frame sets that the viewer reports to have shown per second.",
                  [](const ViewerStats& v) { return v.shown_fps; });
-  out.of_viewers("viewer_latency_seconds", "gauge", "Capture to shown, by its own word.",
+  out.of_viewers("viewer_latency_seconds", "gauge",
+                 "Capture to display, as reported by the viewer.",
                  [](const ViewerStats& v) { return v.latency_ms / 1000; });
 }
 

@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(MetricsText, is_what_prometheus_reads) {
+TEST(MetricsText, has_the_prometheus_format) {
   std::array<RoomStats, 2> rooms;
   rooms[0] = {
       .room = "lab", .sets = 40, .incomplete_sets = 2, .dropped_sets = 7, .set_skew_s = 0.012};
@@ -34,7 +34,7 @@ TEST(MetricsText, is_what_prometheus_reads) {
   EXPECT_THAT(text, Not(HasSubstr("sensor_clock_error_seconds{"))) << "it is not known";
 }
 
-TEST(MetricsText, names_cannot_break_out_of_their_quotes) {
+TEST(MetricsText, escapes_names) {
   std::array<RoomStats, 1> rooms{RoomStats{.room = "lab"}};
   rooms[0].sensors.push_back({.name = "a\"} 1\\"});
   EXPECT_THAT(metrics_text({}, rooms), HasSubstr("sensor=\"a\\\"} 1\\\\\"}"));

@@ -19,7 +19,7 @@ class PeerOrigins {
   static constexpr std::size_t kMax = wire::kMaxOtherHubs;
 
   /// Adds the URLs of hubs that are alive. Older entries stay while there are at most kMax.
-  void are(const std::vector<std::string>& hub_urls) {
+  void add(const std::vector<std::string>& hub_urls) {
     for (const std::string& url : hub_urls) {
       const auto hub = net::parse_hub_url(url);
       if (!hub) continue;

@@ -10,10 +10,10 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(PeerOrigins, are_remembered_when_they_are_gone) {
+TEST(PeerOrigins, keep_the_origins_of_hubs_that_are_gone) {
   PeerOrigins sites;
-  sites.are({"wss://b:7600", "no address:"});
-  sites.are({"wss://c:7600"});
+  sites.add({"wss://b:7600", "no address:"});
+  sites.add({"wss://c:7600"});
   EXPECT_TRUE(sites.has("https://b:7600"));
   EXPECT_TRUE(sites.has("https://c:7600"));
   EXPECT_FALSE(sites.has("http://c:7600")) << "not without encryption";
@@ -22,10 +22,10 @@ TEST(PeerOrigins, are_remembered_when_they_are_gone) {
   EXPECT_THAT(sites.policy(), HasSubstr("connect-src 'self' wss://b:7600 wss://c:7600;"));
 }
 
-TEST(PeerOrigins, are_so_many_and_no_more) {
+TEST(PeerOrigins, are_limited_in_number) {
   PeerOrigins sites;
   for (std::size_t i = 0; i <= PeerOrigins::kMax; ++i) {
-    sites.are({"ws://h" + std::to_string(i) + ":7600"});
+    sites.add({"ws://h" + std::to_string(i) + ":7600"});
   }
   EXPECT_FALSE(sites.has("http://h0:7600"));
   EXPECT_TRUE(sites.has("http://h1:7600"));

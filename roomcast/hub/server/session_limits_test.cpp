@@ -51,42 +51,42 @@ class SessionLimitsTest : public HubServerTest {
   std::shared_ptr<RawClient> welcomed(pb::Control join) {
     join.mutable_join()->set_token(hub->own_token());
     auto client = connect(join);
-    run_until([&] { return !client->heard.empty(); });
-    EXPECT_TRUE(client->heard.at(0).has_welcome()) << client->heard.at(0).error().sentence();
+    run_until([&] { return !client->received.empty(); });
+    EXPECT_TRUE(client->received.at(0).has_welcome()) << client->received.at(0).error().sentence();
     return client;
   }
 
   /// `client` must be the newest one.
-  void say(RawClient& client, int times, const net::FramedMessagePtr& message = clock_ping(1)) {
-    for (int i = 0; i < times; ++i) client.say(message);
+  void send(RawClient& client, int times, const net::FramedMessagePtr& message = clock_ping(1)) {
+    for (int i = 0; i < times; ++i) client.send(message);
     sockets.back()->wake();
   }
 
   static std::ptrdiff_t pongs(const RawClient& client) {
-    return std::ranges::count_if(client.heard, [](const auto& m) { return m.has_clock_pong(); });
+    return std::ranges::count_if(client.received, [](const auto& m) { return m.has_clock_pong(); });
   }
 };
 
-TEST_F(SessionLimitsTest, who_sends_more_than_its_role_may_is_cut_off) {
+TEST_F(SessionLimitsTest, disconnects_a_client_beyond_the_limits_of_its_role) {
   for (const Case& role : cases()) {
     SCOPED_TRACE(role.name);
     const auto client = welcomed(role.join);
-    say(*client, role.messages);
+    send(*client, role.messages);
     run_until([&] { return pongs(*client) == role.messages; });
     EXPECT_FALSE(client->closed);
-    say(*client, 1);
+    send(*client, 1);
     run_until([&] { return client->closed.has_value(); });
     EXPECT_EQ(pongs(*client), role.messages);
-    EXPECT_EQ(client->heard.back().error().code(), pb::ERROR_TOO_FAST);
+    EXPECT_EQ(client->received.back().error().code(), pb::ERROR_TOO_FAST);
   }
 }
 
-TEST_F(SessionLimitsTest, who_has_not_joined_may_send_as_a_viewer) {
-  std::deque<net::FramedMessagePtr> said(30, clock_ping(1));
+TEST_F(SessionLimitsTest, an_unjoined_connection_has_the_limits_of_a_viewer) {
+  std::deque<net::FramedMessagePtr> to_send(30, clock_ping(1));
   pb::Control join = sensor_join("left");
   join.mutable_join()->set_room("nowhere");
-  said.front() = framed_control(join);
-  const auto stranger = connect(std::move(said));
+  to_send.front() = framed_control(join);
+  const auto stranger = connect(std::move(to_send));
   run_until([&] { return stranger->closed.has_value(); });
   EXPECT_LE(pongs(*stranger), 9);
 }
@@ -100,18 +100,18 @@ class SmallMessagesTest : public SessionLimitsTest {
                            .aligner = at_once(1000, 20'000)}) {}
 };
 
-TEST_F(SmallMessagesTest, who_sends_larger_messages_than_its_role_may_is_cut_off) {
+TEST_F(SmallMessagesTest, disconnects_a_client_that_sends_too_large_messages) {
   pb::Control pose;
   pose.mutable_clock_ping()->set_client_ns(1);
   pose.GetReflection()->MutableUnknownFields(&pose)->AddLengthDelimited(1000,
                                                                         std::string(3000, 'x'));
   const auto large = framed_control(pose);
   const auto viewer = welcomed(viewer_join());
-  say(*viewer, 2, large);
+  send(*viewer, 2, large);
   run_until([&] { return viewer->closed.has_value(); });
-  EXPECT_EQ(viewer->heard.back().error().code(), pb::ERROR_TOO_FAST);
+  EXPECT_EQ(viewer->received.back().error().code(), pb::ERROR_TOO_FAST);
   const auto sensor = welcomed(sensor_join("left"));
-  say(*sensor, 2, large);
+  send(*sensor, 2, large);
   run_until([&] { return pongs(*sensor) == 2; });
   EXPECT_FALSE(sensor->closed);
 }
@@ -160,7 +160,7 @@ std::size_t largest_pose() {
   return 4 + control.ByteSizeLong();
 }
 
-TEST(HonestUse, stays_below_what_each_role_may_send) {
+TEST(HonestUse, stays_below_the_limits_of_each_role) {
   constexpr std::size_t kSmall = 64;
   const double keys_per_s =
       wire::kMaxSensors / std::chrono::duration<double>(wire::kKeyRequestInterval).count();

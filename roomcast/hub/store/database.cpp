@@ -43,7 +43,7 @@ Result<std::unique_ptr<Database>> Database::open(const std::optional<std::filesy
   if (opened != SQLITE_OK) return database->failure("cannot open " + name);
   sqlite3_busy_timeout(handle, kWaitForOthers_ms);
   const auto unusable = [&name](const std::string& why) {
-    return Error{ErrorCode::kUnavailable, name + " cannot keep what a hub keeps: " + why};
+    return Error{ErrorCode::kUnavailable, name + " cannot be used as a hub's database: " + why};
   };
   if (auto s = database->run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;"); !s) {
     return unusable(s.error().message);
@@ -52,7 +52,7 @@ Result<std::unique_ptr<Database>> Database::open(const std::optional<std::filesy
   const auto version = database->version();
   if (!version) return unusable(version.error().message);
   if (*version > kVersion) return unusable("a later roomcast wrote it");
-  if (auto s = database->bring_up_to_date(*version); !s) return unusable(s.error().message);
+  if (auto s = database->migrate(*version); !s) return unusable(s.error().message);
   return database;
 }
 
@@ -85,7 +85,7 @@ Result<int> Database::version() const {
 }
 
 /// Runs in one transaction, so that a crash leaves the old tables.
-Status Database::bring_up_to_date(int version) {
+Status Database::migrate(int version) {
   for (int step = version; step < kVersion; ++step) {
     if (auto s = run(kSteps[step]); !s) return s;
   }

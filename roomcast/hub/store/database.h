@@ -43,7 +43,7 @@ class Database {
  private:
   explicit Database(sqlite3* database) : database_(database) {}
   [[nodiscard]] Result<int> version() const;
-  [[nodiscard]] Status bring_up_to_date(int version);
+  [[nodiscard]] Status migrate(int version);
   sqlite3* database_;
 };
 

@@ -20,7 +20,7 @@ void run_raw(const std::filesystem::path& file, const char* sql) {
   sqlite3_close(database);
 }
 
-TEST(Database, a_file_of_something_else_is_refused) {
+TEST(Database, refuses_a_file_of_another_kind) {
   const TemporaryFolder folder;
   std::ofstream(folder / "hub.sqlite") << std::string(5000, 'x');
   const auto opened = Database::open(folder / "hub.sqlite");
@@ -29,7 +29,7 @@ TEST(Database, a_file_of_something_else_is_refused) {
   EXPECT_FALSE(Database::open(folder.path() / "no" / "such" / "folder").ok());
 }
 
-TEST(Database, a_file_of_a_later_version_is_left_alone) {
+TEST(Database, refuses_a_file_of_a_later_version) {
   const TemporaryFolder folder;
   ASSERT_TRUE(Database::open(folder / "hub.sqlite").ok());
   run_raw(folder / "hub.sqlite", "PRAGMA user_version = 1000");
@@ -38,7 +38,7 @@ TEST(Database, a_file_of_a_later_version_is_left_alone) {
   EXPECT_NE(opened.error().message.find("later roomcast"), std::string::npos);
 }
 
-TEST(Database, a_file_of_the_first_version_is_brought_up_to_date_with_what_it_holds) {
+TEST(Database, migrates_a_file_of_the_first_version) {
   const TemporaryFolder folder;
   run_raw(folder / "hub.sqlite",
           "CREATE TABLE sensors (room TEXT NOT NULL, name TEXT NOT NULL, id INTEGER NOT NULL,"
@@ -51,7 +51,7 @@ TEST(Database, a_file_of_the_first_version_is_brought_up_to_date_with_what_it_ho
   EXPECT_TRUE((*database)->run("SELECT count(*) FROM tokens").ok());
 }
 
-TEST(Database, a_code_of_the_second_version_has_its_time_of_issue) {
+TEST(Database, migrates_the_issue_time_of_version_two_codes) {
   const TemporaryFolder folder;
   run_raw(folder / "hub.sqlite",
           "CREATE TABLE codes (digest BLOB PRIMARY KEY,"
@@ -76,7 +76,7 @@ TEST(Database, without_a_file_it_is_in_memory) {
   EXPECT_TRUE((*database)->run("SELECT count(*) FROM rooms").ok());
 }
 
-TEST(Database, another_programs_change_is_noticed_and_its_own_is_not) {
+TEST(Database, detects_changes_of_other_programs_only) {
   const TemporaryFolder folder;
   const auto database = *Database::open(folder / "hub.sqlite");
   const auto before = database->foreign_changes();
@@ -86,7 +86,7 @@ TEST(Database, another_programs_change_is_noticed_and_its_own_is_not) {
   EXPECT_NE(database->foreign_changes(), before);
 }
 
-TEST(Database, what_cannot_be_prepared_fails_without_harm) {
+TEST(Database, an_invalid_statement_fails) {
   const auto database = *Database::open(std::nullopt);
   Statement statement(*database, "SELECT nonsense FROM nowhere");
   statement.bind(1, std::string_view("x"));

@@ -9,7 +9,7 @@ namespace {
 
 Status check_grant(const Grant& grant, UnixSeconds ttl) {
   if (ttl < 1 || ttl > HubStore::kMaxTtl)
-    return invalid_argument("a token holds from 1 second to ten years");
+    return invalid_argument("a token is valid from 1 second to ten years");
   if (grant.room.empty()) return invalid_argument("say which room the token is for");
   if (grant.room == kAllRooms && grant.role != TokenRole::kAdmin) {
     return invalid_argument("a token for a sensor or a viewer is for one room: say which");
@@ -39,7 +39,7 @@ Result<std::unique_ptr<HubStore>> HubStore::open(const std::optional<std::filesy
 
 HubStore::HubStore(std::unique_ptr<Database> database, const HubSecret& secret, WallClock now)
     : database_(std::move(database)), signer_(secret), now_(std::move(now)) {
-  (void)tokens_.tidy(now_());  // an error does no harm: expired tokens are refused anyway
+  (void)tokens_.remove_expired(now_());  // an error does no harm: expired tokens are refused anyway
   foreign_changes_ = database_->foreign_changes();
 }
 
@@ -67,7 +67,7 @@ Verdict<Claims> HubStore::check(const std::string& token) {
 
 Verdict<NewToken> HubStore::redeem(const std::string& code) {
   const auto digest = digest_of_code(code);
-  if (!digest) return Refusal{wire::pb::ERROR_TOKEN_INVALID, "this is no code of a hub"};
+  if (!digest) return Refusal{wire::pb::ERROR_TOKEN_INVALID, "this is no valid code"};
   const auto redeemed = tokens_.redeem(*digest, now_());
   if (const Refusal* why = refusal(redeemed)) return *why;
   const auto& [grant, ttl] = std::get<CodeGrant>(redeemed);
@@ -113,7 +113,7 @@ bool HubStore::changed_elsewhere() {
   return std::exchange(foreign_changes_, changes) != changes;
 }
 
-Result<std::vector<Claims>> HubStore::take_revoked(const std::vector<Claims>& tokens) {
+Result<std::vector<Claims>> HubStore::add_revoked(const std::vector<Claims>& tokens) {
   std::vector<Claims> news;
   for (const Claims& token : tokens) {
     if (token.expires_at <= now_() || token.expires_at > now_() + kMaxTtl) continue;

@@ -73,7 +73,7 @@ class HubStore {
   [[nodiscard]] Result<std::vector<Claims>> revoked() const { return tokens_.revoked(now_()); }
   /// Stores tokens as revoked that this hub or others with the same secret issued. Returns those
   /// that were not known to be revoked.
-  [[nodiscard]] Result<std::vector<Claims>> take_revoked(const std::vector<Claims>& tokens);
+  [[nodiscard]] Result<std::vector<Claims>> add_revoked(const std::vector<Claims>& tokens);
   /// Whether another program (`roomcast token`) has changed the data since the last call.
   [[nodiscard]] bool changed_elsewhere();
 

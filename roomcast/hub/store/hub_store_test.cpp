@@ -28,37 +28,37 @@ class HubStoreTest : public testing::Test {
   const TemporaryFolder folder;
 };
 
-TEST_F(HubStoreTest, what_it_issued_it_takes_until_its_end) {
-  const auto book = open();
-  const auto made = *book->issue(kViewer, 60);
-  EXPECT_EQ(std::get<Claims>(book->check(made.token)).grant.name, "Ada");
+TEST_F(HubStoreTest, accepts_its_tokens_until_they_expire) {
+  const auto store = open();
+  const auto made = *store->issue(kViewer, 60);
+  EXPECT_EQ(std::get<Claims>(store->check(made.token)).grant.name, "Ada");
   now += 60;
-  EXPECT_EQ(fault(book->check(made.token)), pb::ERROR_TOKEN_EXPIRED);
+  EXPECT_EQ(fault(store->check(made.token)), pb::ERROR_TOKEN_EXPIRED);
 }
 
-TEST_F(HubStoreTest, a_token_holds_across_a_restart_and_so_does_its_revocation) {
+TEST_F(HubStoreTest, tokens_and_revocations_survive_a_restart) {
   std::string kept, revoked;
   {
-    const auto book = open(folder.path());
-    kept = book->issue(kViewer, 60)->token;
-    const auto made = *book->issue(kViewer, 60);
+    const auto store = open(folder.path());
+    kept = store->issue(kViewer, 60)->token;
+    const auto made = *store->issue(kViewer, 60);
     revoked = made.token;
-    ASSERT_TRUE(book->revoke(made.claims.id).ok());
+    ASSERT_TRUE(store->revoke(made.claims.id).ok());
   }
-  const auto book = open(folder.path());
-  EXPECT_EQ(fault(book->check(kept)), pb::ERROR_UNSPECIFIED);
-  EXPECT_EQ(fault(book->check(revoked)), pb::ERROR_TOKEN_REVOKED);
-  EXPECT_EQ(book->revoked()->size(), 1U);
+  const auto store = open(folder.path());
+  EXPECT_EQ(fault(store->check(kept)), pb::ERROR_UNSPECIFIED);
+  EXPECT_EQ(fault(store->check(revoked)), pb::ERROR_TOKEN_REVOKED);
+  EXPECT_EQ(store->revoked()->size(), 1U);
 }
 
-TEST_F(HubStoreTest, what_another_hub_has_revoked_is_news_once) {
-  const auto book = open();
-  const auto made = *book->issue(kViewer, 60);
+TEST_F(HubStoreTest, a_revocation_of_another_hub_is_new_once) {
+  const auto store = open();
+  const auto made = *store->issue(kViewer, 60);
   const Claims elsewhere{.id = "t9", .grant = kViewer, .issued_at = now, .expires_at = now + 60};
   const Claims expired{.id = "t8", .grant = kViewer, .issued_at = now - 9, .expires_at = now};
-  EXPECT_EQ(book->take_revoked({made.claims, elsewhere, expired})->size(), 2U);
-  EXPECT_EQ(book->take_revoked({made.claims, elsewhere})->size(), 0U);
-  EXPECT_EQ(fault(book->check(made.token)), pb::ERROR_TOKEN_REVOKED);
+  EXPECT_EQ(store->add_revoked({made.claims, elsewhere, expired})->size(), 2U);
+  EXPECT_EQ(store->add_revoked({made.claims, elsewhere})->size(), 0U);
+  EXPECT_EQ(fault(store->check(made.token)), pb::ERROR_TOKEN_REVOKED);
 }
 
 TEST_F(HubStoreTest, another_hubs_token_is_refused) {
@@ -66,26 +66,26 @@ TEST_F(HubStoreTest, another_hubs_token_is_refused) {
 }
 
 TEST_F(HubStoreTest, a_code_becomes_a_token_once) {
-  const auto book = open();
-  const auto made = *book->issue_code(kViewer, 600);
-  const auto redeemed = book->redeem(made.code);
+  const auto store = open();
+  const auto made = *store->issue_code(kViewer, 600);
+  const auto redeemed = store->redeem(made.code);
   ASSERT_EQ(refusal(redeemed), nullptr);
   const auto& token = std::get<NewToken>(redeemed);
   EXPECT_EQ(token.claims.expires_at, now + 600);
-  EXPECT_EQ(fault(book->check(token.token)), pb::ERROR_UNSPECIFIED);
-  EXPECT_EQ(refusal(book->redeem(made.code))->code, pb::ERROR_CODE_USED);
-  EXPECT_EQ(refusal(book->redeem("nonsense"))->code, pb::ERROR_TOKEN_INVALID);
+  EXPECT_EQ(fault(store->check(token.token)), pb::ERROR_UNSPECIFIED);
+  EXPECT_EQ(refusal(store->redeem(made.code))->code, pb::ERROR_CODE_USED);
+  EXPECT_EQ(refusal(store->redeem("nonsense"))->code, pb::ERROR_TOKEN_INVALID);
 }
 
 TEST_F(HubStoreTest, a_token_from_a_code_can_be_revoked_as_any) {
-  const auto book = open();
-  const auto redeemed = book->redeem(book->issue_code(kViewer, 600)->code);
+  const auto store = open();
+  const auto redeemed = store->redeem(store->issue_code(kViewer, 600)->code);
   const auto& token = std::get<NewToken>(redeemed);
-  ASSERT_TRUE(book->revoke(token.claims.id).ok());
-  EXPECT_EQ(fault(book->check(token.token)), pb::ERROR_TOKEN_REVOKED);
+  ASSERT_TRUE(store->revoke(token.claims.id).ok());
+  EXPECT_EQ(fault(store->check(token.token)), pb::ERROR_TOKEN_REVOKED);
 }
 
-TEST_F(HubStoreTest, what_another_program_does_is_noticed) {
+TEST_F(HubStoreTest, detects_changes_of_another_program) {
   const auto hub = open(folder.path()), program = open(folder.path());
   (void)hub->changed_elsewhere();  // opening the second store changed the file
   EXPECT_FALSE(hub->changed_elsewhere());
@@ -95,21 +95,21 @@ TEST_F(HubStoreTest, what_another_program_does_is_noticed) {
   EXPECT_EQ(fault(hub->check(made.token)), pb::ERROR_UNSPECIFIED);
 }
 
-TEST_F(HubStoreTest, helpers_of_the_hub_have_a_token_that_is_not_listed) {
-  const auto book = open();
-  EXPECT_TRUE(covers(std::get<Claims>(book->check(book->sign_own())).grant, "any room"));
-  EXPECT_TRUE(book->tokens(kAllRooms)->empty());
+TEST_F(HubStoreTest, the_hubs_own_token_is_not_listed) {
+  const auto store = open();
+  EXPECT_TRUE(covers(std::get<Claims>(store->check(store->sign_own())).grant, "any room"));
+  EXPECT_TRUE(store->tokens(kAllRooms)->empty());
 }
 
-TEST_F(HubStoreTest, tokens_that_make_no_sense_are_not_made) {
-  const auto book = open();
-  EXPECT_FALSE(book->issue(kViewer, 0).ok());
-  EXPECT_FALSE(book->issue(kViewer, HubStore::kMaxTtl + 1).ok());
-  EXPECT_FALSE(book->issue({.room = "*", .role = TokenRole::kViewer}, 60).ok());
-  EXPECT_FALSE(book->issue({.room = "", .role = TokenRole::kAdmin}, 60).ok());
-  EXPECT_FALSE(book->issue({.room = std::string(65, 'x'), .role = TokenRole::kAdmin}, 60).ok());
-  EXPECT_FALSE(book->issue_code({.room = "*", .role = TokenRole::kSensor}, 60).ok());
-  EXPECT_TRUE(book->issue({.room = "*", .role = TokenRole::kAdmin}, 60).ok());
+TEST_F(HubStoreTest, refuses_to_issue_invalid_tokens) {
+  const auto store = open();
+  EXPECT_FALSE(store->issue(kViewer, 0).ok());
+  EXPECT_FALSE(store->issue(kViewer, HubStore::kMaxTtl + 1).ok());
+  EXPECT_FALSE(store->issue({.room = "*", .role = TokenRole::kViewer}, 60).ok());
+  EXPECT_FALSE(store->issue({.room = "", .role = TokenRole::kAdmin}, 60).ok());
+  EXPECT_FALSE(store->issue({.room = std::string(65, 'x'), .role = TokenRole::kAdmin}, 60).ok());
+  EXPECT_FALSE(store->issue_code({.room = "*", .role = TokenRole::kSensor}, 60).ok());
+  EXPECT_TRUE(store->issue({.room = "*", .role = TokenRole::kAdmin}, 60).ok());
 }
 
 }  // namespace

@@ -14,14 +14,14 @@ Result<std::vector<RoomSettings>> RoomStore::load() const {
     const auto json = nlohmann::json::parse(rows.text(0), nullptr, false);
     if (auto settings = changed({}, json)) rooms.push_back(*std::move(settings));
   }
-  if (!rows.finished()) return database_.failure("cannot read the rooms that were kept");
+  if (!rows.finished()) return database_.failure("cannot read the stored rooms");
   return rooms;
 }
 
 Status RoomStore::save(const RoomSettings& settings) {
   Statement row(database_, "INSERT OR REPLACE INTO rooms VALUES (?1, ?2)");
   if (row.bind(1, settings.name).bind(2, to_json(settings).dump()).run()) return {};
-  return database_.failure("cannot keep a room");
+  return database_.failure("cannot store a room");
 }
 
 Status RoomStore::forget(const std::string& room) {

@@ -8,19 +8,19 @@
 namespace roomcast::hub {
 namespace {
 
-TEST(RoomStore, what_was_kept_is_there_after_a_restart) {
+TEST(RoomStore, keeps_entries_across_a_restart) {
   const TemporaryFolder folder;
   ASSERT_TRUE(RoomStore(**Database::open(folder / "hub.sqlite"))
-                  .save({.name = "lab", .listed = false, .view = Who::kToken})
+                  .save({.name = "lab", .listed = false, .view = AccessRule::kToken})
                   .ok());
   const auto database = *Database::open(folder / "hub.sqlite");
   const auto rooms = RoomStore(*database).load();
   ASSERT_EQ(rooms->size(), 1U);
   EXPECT_FALSE(rooms->at(0).listed);
-  EXPECT_EQ(rooms->at(0).view, Who::kToken);
+  EXPECT_EQ(rooms->at(0).view, AccessRule::kToken);
 }
 
-TEST(RoomStore, newer_settings_replace_older_ones_and_a_forgotten_room_is_gone) {
+TEST(RoomStore, replaces_settings_and_removes_forgotten_rooms) {
   const auto database = *Database::open(std::nullopt);
   RoomStore rooms(*database);
   ASSERT_TRUE(rooms.save({.name = "lab", .max_viewers = 3}).ok());
@@ -31,7 +31,7 @@ TEST(RoomStore, newer_settings_replace_older_ones_and_a_forgotten_room_is_gone) 
   EXPECT_TRUE(rooms.load()->empty());
 }
 
-TEST(RoomStore, what_makes_no_sense_is_left_out) {
+TEST(RoomStore, leaves_out_invalid_entries) {
   const auto database = *Database::open(std::nullopt);
   ASSERT_TRUE(database
                   ->run("INSERT INTO rooms VALUES ('a', 'nonsense'), ('b', '{\"name\": \"b\"}'),"

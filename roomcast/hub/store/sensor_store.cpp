@@ -52,7 +52,7 @@ Result<std::vector<KnownSensor>> SensorStore::load(const std::string& room) cons
   while (rows.next()) {
     if (auto sensor = read_sensor(rows)) sensors.push_back(*std::move(sensor));
   }
-  if (!rows.finished()) return database_.failure("cannot read the sensors that were kept");
+  if (!rows.finished()) return database_.failure("cannot read the stored sensors");
   return sensors;
 }
 
@@ -67,7 +67,7 @@ Status SensorStore::save(const std::string& room, std::span<const KnownSensor> s
       statement.bind(5, sensor.pose->expected_error_mm);
     }
     if (statement.run()) continue;
-    const Error error = database_.failure("cannot keep a sensor");
+    const Error error = database_.failure("cannot store a sensor");
     (void)database_.run("ROLLBACK");
     return error;
   }
@@ -83,7 +83,7 @@ Status SensorStore::forget(const std::string& room, const std::string& sensor) {
   Statement row(database_, kForgetOne);
   if (!row.bind(1, room).bind(2, sensor).run()) return database_.failure("cannot forget a sensor");
   if (database_.changed_rows() > 0) return {};
-  return Error{ErrorCode::kNotFound, "this room knows no sensor \"" + sensor + "\""};
+  return Error{ErrorCode::kNotFound, "this room has no sensor \"" + sensor + "\""};
 }
 
 }  // namespace roomcast::hub

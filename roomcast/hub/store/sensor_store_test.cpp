@@ -29,7 +29,7 @@ KnownSensor sensor_at(const std::string& name, std::uint16_t id, double x) {
                      .expected_error_mm = 4}};
 }
 
-TEST(SensorStore, what_was_kept_is_there_after_a_restart) {
+TEST(SensorStore, keeps_entries_across_a_restart) {
   const std::vector sensors = {sensor_at("left", 0, 1.25), sensor_at("right", 1, -3)};
   const TemporaryFolder folder;
   ASSERT_TRUE(open_store(folder)->save("lab", sensors).ok());
@@ -47,7 +47,7 @@ TEST(SensorStore, what_was_kept_is_there_after_a_restart) {
   EXPECT_TRUE(store->load("kitchen")->empty());
 }
 
-TEST(SensorStore, a_newer_pose_takes_the_place_of_an_older_one) {
+TEST(SensorStore, replaces_an_older_pose) {
   const TemporaryFolder folder;
   auto store = open_store(folder);
   ASSERT_TRUE(store->save("lab", std::vector{KnownSensor{"left", SensorId{3}}}).ok());
@@ -71,7 +71,7 @@ TEST(SensorStore, an_id_belongs_to_one_sensor_of_a_room) {
   EXPECT_EQ(store->load("kitchen")->at(0).name, "oven");
 }
 
-TEST(SensorStore, one_is_forgotten_and_no_other) {
+TEST(SensorStore, forgets_only_the_given_sensor) {
   const TemporaryFolder folder;
   auto store = open_store(folder);
   ASSERT_TRUE(
@@ -83,7 +83,7 @@ TEST(SensorStore, one_is_forgotten_and_no_other) {
   EXPECT_EQ(store->forget("lab", "left").error().code, ErrorCode::kNotFound);
 }
 
-TEST(SensorStore, names_are_data_and_nothing_else) {
+TEST(SensorStore, treats_names_as_data) {
   const std::string name = "'); DROP TABLE sensors; --";
   const TemporaryFolder folder;
   auto store = open_store(folder);
@@ -91,7 +91,7 @@ TEST(SensorStore, names_are_data_and_nothing_else) {
   EXPECT_EQ(store->load(name)->at(0).name, name);
 }
 
-TEST(SensorStore, what_makes_no_sense_is_left_out) {
+TEST(SensorStore, leaves_out_invalid_entries) {
   const TemporaryFolder folder;
   auto store = open_store(folder);
   const std::vector sensors = {sensor_at("nan", 0, std::nan("")), sensor_at("left", 1, 1),

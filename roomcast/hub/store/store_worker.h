@@ -18,15 +18,15 @@ namespace roomcast::hub {
 
 class StoreWorker {
  public:
-  StoreWorker(std::unique_ptr<HubStore> book, boost::asio::io_context& answers)
-      : store_(std::move(book)), answers_(answers), thread_([this] { io_.run(); }) {}
+  StoreWorker(std::unique_ptr<HubStore> store, boost::asio::io_context& answers)
+      : store_(std::move(store)), answers_(answers), thread_([this] { io_.run(); }) {}
 
   /// Finishes the pending requests; answers that have not been delivered by then are lost.
   ~StoreWorker() { keep_open_.reset(); }
   StoreWorker(const StoreWorker&) = delete;
   StoreWorker& operator=(const StoreWorker&) = delete;
 
-  /// Runs `work(book)` on the worker, then `then(result)` on the thread that runs `answers`.
+  /// Runs `work(store)` on the worker, then `then(result)` on the thread that runs `answers`.
   template <class Work, class Then>
   void ask(Work work, Then then) {
     boost::asio::post(io_, [this, work = std::move(work), then = std::move(then)]() mutable {

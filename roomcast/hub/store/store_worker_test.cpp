@@ -8,7 +8,7 @@
 namespace roomcast::hub {
 namespace {
 
-TEST(StoreWorker, answers_come_in_order_on_the_thread_that_asked) {
+TEST(StoreWorker, answers_in_order_on_the_asking_thread) {
   boost::asio::io_context io;
   const auto keep_open = boost::asio::make_work_guard(io);
   StoreWorker store_worker(*HubStore::open(std::nullopt), io);
@@ -16,7 +16,7 @@ TEST(StoreWorker, answers_come_in_order_on_the_thread_that_asked) {
   std::thread::id worked_on;
   store_worker.ask([&](HubStore&) { return worked_on = std::this_thread::get_id(); },
                    [&](std::thread::id) { order += "a"; });
-  store_worker.ask([](HubStore& book) { return book.check("nonsense"); },
+  store_worker.ask([](HubStore& store) { return store.check("nonsense"); },
                    [&](const Verdict<Claims>& verdict) {
                      EXPECT_NE(refusal(verdict), nullptr);
                      order += "b";
@@ -26,7 +26,7 @@ TEST(StoreWorker, answers_come_in_order_on_the_thread_that_asked) {
   EXPECT_NE(worked_on, std::this_thread::get_id());
 }
 
-TEST(StoreWorker, finishes_what_was_asked_before_it_goes) {
+TEST(StoreWorker, finishes_pending_requests_before_it_ends) {
   boost::asio::io_context io;
   int done = 0;
   {

@@ -37,7 +37,7 @@ IssuedToken read_token(const Statement& row) {
 }
 
 Error no_such_token(std::string_view id) {
-  return {ErrorCode::kNotFound, "no token \"" + std::string(id) + "\" was made here"};
+  return {ErrorCode::kNotFound, "this hub has issued no token \"" + std::string(id) + "\""};
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ Status TokenStore::add(const Claims& claims) {
   row.bind(1, claims.id).bind(2, claims.grant.room).bind(3, name_of(claims.grant.role));
   row.bind(4, claims.grant.name).bind(5, claims.issued_at).bind(6, claims.expires_at);
   if (row.run()) return {};
-  return database_.failure("cannot keep a token");
+  return database_.failure("cannot store a token");
 }
 
 Result<std::vector<IssuedToken>> TokenStore::list(std::string_view room) const {
@@ -108,7 +108,7 @@ Status TokenStore::add_revoked(const Claims& claims, UnixSeconds now) {
   row.bind(1, claims.id).bind(2, claims.grant.room).bind(3, name_of(claims.grant.role));
   row.bind(4, claims.grant.name).bind(5, claims.issued_at).bind(6, claims.expires_at);
   if (row.bind(7, now).run()) return {};
-  return database_.failure("cannot keep that a token was revoked");
+  return database_.failure("cannot store a revocation");
 }
 
 Result<std::vector<Claims>> TokenStore::revoked(UnixSeconds now) const {
@@ -130,7 +130,7 @@ Status TokenStore::add_code(const CodeDigest& digest, const CodeGrant& grant, Un
   row.bind_blob(1, digest.data(), digest.size());
   row.bind(2, grant.grant.room).bind(3, name_of(grant.grant.role)).bind(4, grant.grant.name);
   if (row.bind(5, grant.token_ttl).bind(6, expires_at).bind(7, issued_at).run()) return {};
-  return database_.failure("cannot keep a code");
+  return database_.failure("cannot store a code");
 }
 
 Verdict<CodeGrant> TokenStore::redeem(const CodeDigest& digest, UnixSeconds now) {
@@ -153,7 +153,7 @@ Verdict<CodeGrant> TokenStore::redeem(const CodeDigest& digest, UnixSeconds now)
 Refusal TokenStore::why_not_redeemed(const CodeDigest& digest) const {
   Statement row(database_, "SELECT used_at, revoked_at FROM codes WHERE digest = ?1");
   row.bind_blob(1, digest.data(), digest.size());
-  if (!row.next()) return {wire::pb::ERROR_TOKEN_INVALID, "this hub knows no such code"};
+  if (!row.next()) return {wire::pb::ERROR_TOKEN_INVALID, "this hub has issued no such code"};
   if (!row.is_null(0)) {
     return {wire::pb::ERROR_CODE_USED, "this code was used already; ask for a new one"};
   }
@@ -161,7 +161,7 @@ Refusal TokenStore::why_not_redeemed(const CodeDigest& digest) const {
   return {wire::pb::ERROR_TOKEN_EXPIRED, "this code has expired; ask for a new one"};
 }
 
-Status TokenStore::tidy(UnixSeconds now) {
+Status TokenStore::remove_expired(UnixSeconds now) {
   const UnixSeconds before = now - kRemembered_s;
   if (Statement(database_, "DELETE FROM tokens WHERE expires_at < ?1").bind(1, before).run() &&
       Statement(database_, "DELETE FROM codes WHERE expires_at < ?1").bind(1, before).run()) {

@@ -58,7 +58,7 @@ class TokenStore {
   [[nodiscard]] Verdict<CodeGrant> redeem(const CodeDigest& digest, UnixSeconds now);
 
   /// Deletes tokens and codes that expired more than 30 days ago.
-  [[nodiscard]] Status tidy(UnixSeconds now);
+  [[nodiscard]] Status remove_expired(UnixSeconds now);
 
  private:
   [[nodiscard]] Refusal why_not_redeemed(const CodeDigest& digest) const;

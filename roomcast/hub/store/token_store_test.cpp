@@ -28,7 +28,7 @@ class TokenStoreTest : public testing::Test {
                         .token_ttl = 600};
 };
 
-TEST_F(TokenStoreTest, lists_what_was_made_newest_first) {
+TEST_F(TokenStoreTest, lists_the_newest_first) {
   ASSERT_TRUE(tokens.add(stored_claims("a", "lab")).ok());
   ASSERT_TRUE(tokens.add(stored_claims("b", "kitchen")).ok());
   const auto all = *tokens.list(kAllRooms);
@@ -61,7 +61,7 @@ TEST_F(TokenStoreTest, a_rooms_tokens_and_codes_are_revoked_together) {
   EXPECT_EQ(refusal(tokens.redeem(code, kStoredNow))->code, pb::ERROR_TOKEN_REVOKED);
 }
 
-TEST_F(TokenStoreTest, what_another_hub_has_revoked_holds_no_more_whoever_made_it) {
+TEST_F(TokenStoreTest, a_revocation_of_another_hub_applies_to_any_token) {
   ASSERT_TRUE(tokens.add(stored_claims("a", "lab")));
   for (const char* id : {"a", "elsewhere", "elsewhere"}) {
     ASSERT_TRUE(tokens.add_revoked(stored_claims(id, "lab"), kStoredNow));
@@ -70,12 +70,12 @@ TEST_F(TokenStoreTest, what_another_hub_has_revoked_holds_no_more_whoever_made_i
   EXPECT_EQ(tokens.revoked(kStoredNow)->size(), 2u);
 }
 
-TEST_F(TokenStoreTest, what_was_not_made_here_cannot_be_revoked) {
-  EXPECT_EQ(tokens.revoke("nobody's", kStoredNow).error().code, ErrorCode::kNotFound);
-  EXPECT_EQ(tokens.find("nobody's").error().code, ErrorCode::kNotFound);
+TEST_F(TokenStoreTest, an_unknown_token_cannot_be_revoked) {
+  EXPECT_EQ(tokens.revoke("unknown", kStoredNow).error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(tokens.find("unknown").error().code, ErrorCode::kNotFound);
 }
 
-TEST_F(TokenStoreTest, a_code_is_good_for_once) {
+TEST_F(TokenStoreTest, a_code_can_be_used_once) {
   ASSERT_TRUE(tokens.add_code(code, grant, kStoredNow, kStoredNow + 60).ok());
   const auto redeemed = tokens.redeem(code, kStoredNow);
   ASSERT_EQ(refusal(redeemed), nullptr);
@@ -96,7 +96,7 @@ TEST_F(TokenStoreTest, a_used_code_stays_used_after_a_restart) {
   EXPECT_EQ(refusal(TokenStore(*after).redeem(code, kStoredNow))->code, pb::ERROR_CODE_USED);
 }
 
-TEST_F(TokenStoreTest, a_code_is_listed_until_it_is_used_and_then_its_token_is) {
+TEST_F(TokenStoreTest, lists_a_code_until_its_token_replaces_it) {
   ASSERT_TRUE(tokens.add(stored_claims("a", "lab")).ok());
   ASSERT_TRUE(tokens.add_code(code, grant, kStoredNow + 1, kStoredNow + 60).ok());
   const auto listed = *tokens.list("lab");
@@ -111,7 +111,7 @@ TEST_F(TokenStoreTest, a_code_is_listed_until_it_is_used_and_then_its_token_is) 
   EXPECT_EQ(tokens.revoke(id_of_code(code), kStoredNow + 3).error().code, ErrorCode::kNotFound);
 }
 
-TEST_F(TokenStoreTest, a_revoked_code_is_good_for_nothing) {
+TEST_F(TokenStoreTest, a_revoked_code_is_refused) {
   const CodeDigest other = *digest_of_code("7K1M-90XA-0C4T-VW3J");
   ASSERT_TRUE(tokens.add_code(code, grant, kStoredNow, kStoredNow + 60).ok());
   ASSERT_TRUE(tokens.add_code(other, grant, kStoredNow, kStoredNow + 60).ok());
@@ -120,10 +120,10 @@ TEST_F(TokenStoreTest, a_revoked_code_is_good_for_nothing) {
   EXPECT_TRUE(tokens.find(id_of_code(code))->revoked);
   EXPECT_EQ(refusal(tokens.redeem(code, kStoredNow))->code, pb::ERROR_TOKEN_REVOKED);
   EXPECT_EQ(refusal(tokens.redeem(other, kStoredNow)), nullptr);
-  EXPECT_TRUE(tokens.revoked(kStoredNow)->empty()) << "nobody holds a token of it";
+  EXPECT_TRUE(tokens.revoked(kStoredNow)->empty()) << "no token was issued for it";
 }
 
-TEST_F(TokenStoreTest, a_code_has_an_end) {
+TEST_F(TokenStoreTest, a_code_expires) {
   ASSERT_TRUE(tokens.add_code(code, grant, kStoredNow, kStoredNow + 60).ok());
   EXPECT_EQ(refusal(tokens.redeem(code, kStoredNow + 60))->code, pb::ERROR_TOKEN_EXPIRED);
 }
@@ -132,11 +132,11 @@ TEST_F(TokenStoreTest, an_unknown_code_is_refused) {
   EXPECT_EQ(refusal(tokens.redeem(code, kStoredNow))->code, pb::ERROR_TOKEN_INVALID);
 }
 
-TEST_F(TokenStoreTest, forgets_what_ended_long_ago) {
+TEST_F(TokenStoreTest, removes_tokens_that_expired_long_ago) {
   ASSERT_TRUE(tokens.add(stored_claims("a", "lab")).ok());
-  ASSERT_TRUE(tokens.tidy(kStoredNow + 3600).ok());
+  ASSERT_TRUE(tokens.remove_expired(kStoredNow + 3600).ok());
   EXPECT_EQ(tokens.list(kAllRooms)->size(), 1U);
-  ASSERT_TRUE(tokens.tidy(kStoredNow + 365 * 24 * 3600).ok());
+  ASSERT_TRUE(tokens.remove_expired(kStoredNow + 365 * 24 * 3600).ok());
   EXPECT_TRUE(tokens.list(kAllRooms)->empty());
 }
 

@@ -25,8 +25,9 @@ Result<std::unique_ptr<ClusterHub>> ClusterHub::open(ClusterOptions options,
                                                      hub::BackplaneContext context) {
   std::unique_ptr<ClusterHub> hub(new ClusterHub(std::move(options), std::move(context)));
   NatsHandlers handlers{
-      .on_message = [hub = hub.get()](auto subject, auto bytes) { hub->take(subject, bytes); },
-      .on_connected = [hub = hub.get()] { hub->say_alive(); },
+      .on_message = [hub = hub.get()](auto subject,
+                                      auto bytes) { hub->on_message(subject, bytes); },
+      .on_connected = [hub = hub.get()] { hub->send_heartbeat(); },
       .log = hub->options_.log};
   auto nats = NatsClient::open(hub->options_.nats, hub->context_.io, std::move(handlers));
   if (!nats) return nats.error();
@@ -34,7 +35,7 @@ Result<std::unique_ptr<ClusterHub>> ClusterHub::open(ClusterOptions options,
   hub->nats_->subscribe(kHeartbeatSubject);
   hub->nats_->subscribe(kRevokedSubject);
   hub->nats_->subscribe(inbox_subject(hub->id_));
-  hub->beat_later();
+  hub->schedule_heartbeat();
   return hub;
 }
 
@@ -43,7 +44,7 @@ ClusterHub::ClusterHub(ClusterOptions options, hub::BackplaneContext context)
 
 ClusterHub::~ClusterHub() {
   timer_.cancel();
-  if (nats_) say_alive(true);
+  if (nats_) send_heartbeat(true);
 }
 
 // ---- rooms
@@ -70,7 +71,7 @@ void ClusterHub::room_opened(const std::string& name) {
   nats_->subscribe(news_subject(name));
   // Deferred: all rooms are opened in sequence before any of them can accept a client.
   boost::asio::post(context_.io, [this, name] {
-    if (Room* room = find(name)) room->shared->stay();
+    if (Room* room = find(name)) room->shared->ensure_joined();
   });
 }
 
@@ -94,7 +95,7 @@ void ClusterHub::watch(const std::string& name, bool is_watched) {
   if (is_watched && !std::exchange(room->is_subscribed, true)) {
     nats_->subscribe(all_frames_subject(name));
     nats_->subscribe(poses_subject(name));
-    return say_alive();
+    return send_heartbeat();
   }
   if (is_watched) return;
   room->unwatched.expires_after(options_.kept_unwatched);
@@ -104,7 +105,7 @@ void ClusterHub::watch(const std::string& name, bool is_watched) {
     unwatched->is_subscribed = false;
     nats_->unsubscribe(all_frames_subject(name));
     nats_->unsubscribe(poses_subject(name));
-    say_alive();
+    send_heartbeat();
   });
 }
 
@@ -146,10 +147,10 @@ void ClusterHub::flush(Room& room) {
 
 void ClusterHub::broadcast_news(const pb::RoomNews& news) {
   nats_->publish(news_subject(news.room()), bytes_of(news));
-  say_alive();
+  send_heartbeat();
 }
 
-void ClusterHub::tell(HubId hub, const pb::ToHub& message) {
+void ClusterHub::send_to(HubId hub, const pb::ToHub& message) {
   nats_->publish(inbox_subject(hub), bytes_of(message));
 }
 
@@ -180,10 +181,10 @@ pb::Heartbeat ClusterHub::heartbeat() const {
   return own;
 }
 
-void ClusterHub::say_alive(bool leaves) {
+void ClusterHub::send_heartbeat(bool leaves) {
   pb::Heartbeat own = heartbeat();
   own.set_leaves(leaves);
-  if (beats_ % kBeatsPerList == 0) {
+  if (heartbeat_number_ % kHeartbeatsPerList == 0) {
     for (const auto& [name, room] : rooms_) own.add_all_rooms(name);
   }
   directory_.write_heard(own);
@@ -192,50 +193,50 @@ void ClusterHub::say_alive(bool leaves) {
 
 /// Intervals are random: heartbeats serve to compare clocks, and heartbeats in step with frames
 /// would be delayed by a frame every time.
-void ClusterHub::beat_later() {
+void ClusterHub::schedule_heartbeat() {
   std::uniform_real_distribution<double> share(0.7, 1.3);
   timer_.expires_after(
       std::chrono::duration_cast<nanoseconds>(kHeartbeatInterval * share(random_)));
   timer_.async_wait([this](boost::system::error_code error) {
     if (error) return;
-    beat();
-    beat_later();
+    run_heartbeat();
+    schedule_heartbeat();
   });
 }
 
-void ClusterHub::beat() {
-  load_.look(clock_.now());
-  for (const HubId gone : directory_.take_gone(clock_.now())) {
+void ClusterHub::run_heartbeat() {
+  load_.sample(clock_.now());
+  for (const HubId gone : directory_.remove_gone(clock_.now())) {
     if (options_.log) options_.log(LogLevel::kWarning, "hub " + to_string(gone) + " is gone");
     for (const auto& [name, room] : rooms_) room->shared->remove_hub(gone);
   }
-  look_after_rooms();
-  ++beats_;
-  say_alive();
+  update_rooms();
+  ++heartbeat_number_;
+  send_heartbeat();
 }
 
-void ClusterHub::look_after_rooms() {
+void ClusterHub::update_rooms() {
   auto urls = directory_.urls();
-  if (urls != named_hubs_) context_.name_hubs(named_hubs_ = std::move(urls));
+  if (urls != reported_urls_) context_.set_peer_urls(reported_urls_ = std::move(urls));
   const pb::Heartbeat own = heartbeat();
   for (const auto& [name, room] : rooms_) {
     room->asked.clear();
-    room->shared->stay();
+    room->shared->ensure_joined();
     room->is_wanted = directory_.is_wanted(name);
     room->shared->set_other_urls(directory_.urls_with(name));
     const auto owner = owner_of(name, own, directory_);
     const bool was_ours = room->owner == id_;
     room->owner = owner;
     room->shared->set_owner(owner);
-    if (was_ours != (owner == id_)) begin_or_end_owning(name, owner == id_);
-    if (beats_ % kBeatsPerList == 0) room->shared->tell_poses_again();
+    if (was_ours != (owner == id_)) report_owned(name, owner == id_);
+    if (heartbeat_number_ % kHeartbeatsPerList == 0) room->shared->resend_poses();
   }
 }
 
-void ClusterHub::begin_or_end_owning(const std::string& room, bool owns) const {
+void ClusterHub::report_owned(const std::string& room, bool owns) const {
   if (options_.log) {
-    options_.log(LogLevel::kInfo, std::string(owns ? "works" : "no longer works") +
-                                      " out where the sensors of \"" + room + "\" stand");
+    options_.log(LogLevel::kInfo, std::string(owns ? "estimates" : "no longer estimates") +
+                                      " the poses of the sensors of \"" + room + "\"");
   }
   options_.on_owned(room, owns);
 }

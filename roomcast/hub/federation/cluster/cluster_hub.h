@@ -47,7 +47,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   /// time are sent together.
   static constexpr std::chrono::milliseconds kGatherFor{8};
   /// Every so many heartbeats, all rooms are listed and the poses of people at rest are sent again.
-  static constexpr unsigned kBeatsPerList = 8;
+  static constexpr unsigned kHeartbeatsPerList = 8;
 
   /// Errors of NatsClient::open.
   static Result<std::unique_ptr<ClusterHub>> open(ClusterOptions options,
@@ -83,18 +83,18 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   ClusterHub(ClusterOptions options, hub::BackplaneContext context);
 
   void broadcast_news(const pb::RoomNews& news) override;
-  void tell(HubId hub, const pb::ToHub& message) override;
+  void send_to(HubId hub, const pb::ToHub& message) override;
   void broadcast_poses(const std::string& room, const pb::PeopleMoved& people) override;
 
-  void take(std::string_view subject, std::span<const std::uint8_t> message);
-  void take_revoked(const pb::Revoked& revoked);
-  void take_heartbeat(const pb::Heartbeat& heartbeat);
-  void beat_later();
-  void beat();
-  void say_alive(bool leaves = false);
+  void on_message(std::string_view subject, std::span<const std::uint8_t> message);
+  void on_revoked(const pb::Revoked& revoked);
+  void on_heartbeat(const pb::Heartbeat& heartbeat);
+  void schedule_heartbeat();
+  void run_heartbeat();
+  void send_heartbeat(bool leaves = false);
   [[nodiscard]] pb::Heartbeat heartbeat() const;
-  void look_after_rooms();
-  void begin_or_end_owning(const std::string& room, bool owns) const;
+  void update_rooms();
+  void report_owned(const std::string& room, bool owns) const;
   void flush(Room& room);
   [[nodiscard]] Room* find(std::string_view room);
 
@@ -104,9 +104,9 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   SteadyClock clock_;
   HubDirectory directory_{id_};
   ProcessorLoad load_;
-  std::vector<std::string> named_hubs_;  // as last passed to name_hubs()
+  std::vector<std::string> reported_urls_;  // as last passed to set_peer_urls()
   std::unique_ptr<NatsClient> nats_;
-  unsigned beats_ = 0;
+  unsigned heartbeat_number_ = 0;
   Rooms rooms_;
   boost::asio::steady_timer timer_;
   std::minstd_rand random_{std::random_device{}()};

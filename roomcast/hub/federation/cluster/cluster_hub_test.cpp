@@ -24,8 +24,8 @@ hub::HubOptions sharing_over(const NatsServer& server, const std::string& public
   cluster.kept_unwatched = 50ms;
   hub::HubOptions options;
   options.open_backplane =
-      [cluster](hub::BackplaneContext seat) -> Result<std::unique_ptr<hub::Backplane>> {
-    auto opened = ClusterHub::open(cluster, std::move(seat));
+      [cluster](hub::BackplaneContext context) -> Result<std::unique_ptr<hub::Backplane>> {
+    auto opened = ClusterHub::open(cluster, std::move(context));
     if (!opened) return opened.error();
     return std::unique_ptr<hub::Backplane>(*std::move(opened));
   };
@@ -38,7 +38,7 @@ class ClusterHubTest : public hub::federation::ClientsOfHubs {
     if (!NatsServer::is_installed()) GTEST_SKIP() << "nats-server is not installed";
   }
   static bool shows_online(const hub::RawClient& viewer) {
-    const auto& last = viewer.heard.back();
+    const auto& last = viewer.received.back();
     return last.has_roster() && last.roster().sensors_size() == 1 &&
            last.roster().sensors(0).online();
   }
@@ -54,10 +54,10 @@ TEST_F(ClusterHubTest, a_viewer_at_any_hub_sees_a_sensor_at_any_other) {
       RoomTime(SteadyClock().now().time_since_epoch()) - viewer->frames.front().capture_time;
   EXPECT_GT(age, -1s);
   EXPECT_LT(age, 5s) << "captured in this hub's time";
-  part();
+  disconnect_all();
 }
 
-TEST_F(ClusterHubTest, tells_what_goes_over_nats) {
+TEST_F(ClusterHubTest, counts_the_traffic_over_nats) {
   const NatsServer server;
   const RunningHub first(sharing_over(server)), second(sharing_over(server));
   const auto sensor = join(first, hub::sensor_join("left"));
@@ -68,10 +68,10 @@ TEST_F(ClusterHubTest, tells_what_goes_over_nats) {
   EXPECT_THAT(metrics, testing::HasSubstr("\nroomcast_backplane_other_hubs 1\n"));
   EXPECT_THAT(metrics, testing::Not(testing::HasSubstr("_sent_messages_total 0\n")));
   EXPECT_THAT(metrics, testing::Not(testing::HasSubstr("_received_bytes_total 0\n")));
-  part();
+  disconnect_all();
 }
 
-TEST_F(ClusterHubTest, a_sensor_that_leaves_there_is_offline_here_and_comes_back) {
+TEST_F(ClusterHubTest, a_remote_sensor_that_leaves_is_offline_and_can_return) {
   const NatsServer server;
   const RunningHub first(sharing_over(server)), second(sharing_over(server));
   const auto viewer = join(second, hub::viewer_join());
@@ -81,14 +81,14 @@ TEST_F(ClusterHubTest, a_sensor_that_leaves_there_is_offline_here_and_comes_back
   run_until([&] { return !shows_online(*viewer); });
   const auto again = join(second, hub::sensor_join("left"));
   run_until([&] { return shows_online(*viewer); });
-  part();
+  disconnect_all();
 }
 
-TEST_F(ClusterHubTest, viewers_and_sensors_are_told_where_else_their_room_is) {
+TEST_F(ClusterHubTest, viewers_and_sensors_get_the_urls_of_other_hubs) {
   const NatsServer server;
   const RunningHub first(sharing_over(server, "wss://first")), second(sharing_over(server));
   const auto names_first = [](const hub::RawClient& client) {
-    return std::ranges::any_of(client.heard, [](const wpb::Control& message) {
+    return std::ranges::any_of(client.received, [](const wpb::Control& message) {
       return message.has_other_hubs() && message.other_hubs().urls_size() == 1 &&
              message.other_hubs().urls(0) == "wss://first";
     });
@@ -97,7 +97,7 @@ TEST_F(ClusterHubTest, viewers_and_sensors_are_told_where_else_their_room_is) {
   run_until([&] { return names_first(*viewer); });
   const auto sensor = join(second, hub::sensor_join("left"));
   run_until([&] { return names_first(*sensor); });
-  part();
+  disconnect_all();
 }
 
 TEST_F(ClusterHubTest, a_hub_that_nats_refuses_does_not_start) {

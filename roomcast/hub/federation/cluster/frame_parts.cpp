@@ -11,10 +11,10 @@
 namespace roomcast::hub::federation {
 namespace {
 
-constexpr std::uint32_t kContinues = 1, kGoesOn = 2;
+constexpr std::uint32_t kContinues = 1, kIsContinued = 2;
 constexpr std::size_t kLengthBytes = 4;
 /// Maximum bytes kept for one sequence of parts.
-constexpr std::size_t kMaxBegunBytes = 2 * wire::kMaxFrameBytes;
+constexpr std::size_t kMaxPartialBytes = 2 * wire::kMaxFrameBytes;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ std::vector<FramePacker::Message> FramePacker::take() {
   if (all.empty()) return messages;
   if (all.size() <= max_bytes_) {  // sent without copying: copying a whole set would cost more than
                                    // the rest of this function
-    write_head(all, false, false);
+    write_header(all, false, false);
     messages.push_back(std::move(all));
     return messages;
   }
@@ -50,31 +50,31 @@ std::vector<FramePacker::Message> FramePacker::take() {
     const auto part = frames.subspan(from, std::min(room_for, frames.size() - from));
     Message& message = messages.emplace_back(kPartHeaderBytes);
     message.insert(message.end(), part.begin(), part.end());
-    write_head(message, from > 0, from + part.size() < frames.size());
+    write_header(message, from > 0, from + part.size() < frames.size());
   }
   return messages;
 }
 
-void FramePacker::write_head(Message& message, bool continues, bool goes_on) {
+void FramePacker::write_header(Message& message, bool continues, bool is_continued) {
   write_u32(&message[0], next_number_++);
-  write_u32(&message[4], (continues ? kContinues : 0) | (goes_on ? kGoesOn : 0));
+  write_u32(&message[4], (continues ? kContinues : 0) | (is_continued ? kIsContinued : 0));
 }
 
 void FrameUnpacker::take(std::span<const std::uint8_t> message, const TakeFrame& take_frame) {
   if (message.size() < kPartHeaderBytes) return;
   const std::uint32_t number = read_u32(&message[0]), flags = read_u32(&message[4]);
   const auto bytes = message.subspan(kPartHeaderBytes);
-  const bool continues = (flags & kContinues) != 0, goes_on = (flags & kGoesOn) != 0;
-  const bool follows = continues && number == next_number_ && !begun_.empty();
+  const bool continues = (flags & kContinues) != 0, is_continued = (flags & kIsContinued) != 0;
+  const bool follows = continues && number == next_number_ && !partial_.empty();
   next_number_ = number + 1;
-  if (!follows) begun_.clear();
+  if (!follows) partial_.clear();
   if (continues && !follows) return;
-  if (!continues && !goes_on) return unpack(bytes, take_frame);
-  if (begun_.size() + bytes.size() > kMaxBegunBytes) return begun_.clear();
-  begun_.insert(begun_.end(), bytes.begin(), bytes.end());
-  if (goes_on) return;
-  unpack(begun_, take_frame);
-  begun_.clear();
+  if (!continues && !is_continued) return unpack(bytes, take_frame);
+  if (partial_.size() + bytes.size() > kMaxPartialBytes) return partial_.clear();
+  partial_.insert(partial_.end(), bytes.begin(), bytes.end());
+  if (is_continued) return;
+  unpack(partial_, take_frame);
+  partial_.clear();
 }
 
 void FrameUnpacker::unpack(std::span<const std::uint8_t> bytes, const TakeFrame& take_frame) const {

@@ -37,7 +37,7 @@ class FramePacker {
   [[nodiscard]] std::vector<Message> take();
 
  private:
-  void write_head(Message& message, bool continues, bool goes_on);
+  void write_header(Message& message, bool continues, bool is_continued);
 
   const std::size_t max_bytes_;
   std::uint32_t next_number_ = 0;
@@ -55,13 +55,13 @@ class FrameUnpacker {
   /// part.
   void take(std::span<const std::uint8_t> message, const TakeFrame& take_frame);
   /// Bytes of incomplete frames.
-  [[nodiscard]] std::size_t begun_bytes() const { return begun_.size(); }
+  [[nodiscard]] std::size_t partial_bytes() const { return partial_.size(); }
 
  private:
   void unpack(std::span<const std::uint8_t> bytes, const TakeFrame& take_frame) const;
 
   std::uint32_t next_number_ = 0;
-  std::vector<std::uint8_t> begun_;  // of messages that are continued
+  std::vector<std::uint8_t> partial_;  // of messages that are continued
 };
 
 }  // namespace roomcast::hub::federation

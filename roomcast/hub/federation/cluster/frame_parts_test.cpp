@@ -43,7 +43,7 @@ TEST(FrameParts, frames_that_fit_share_a_message) {
   EXPECT_EQ(unpacked(unpacker, messages), frames);
 }
 
-TEST(FrameParts, the_newest_frame_of_a_closed_set_says_that_it_is_the_last) {
+TEST(FrameParts, marks_the_last_frame_of_a_closed_set) {
   FramePacker packer(1000);
   packer.close_set();
   Bytes frame(wire::kFrameHeaderBytes);
@@ -58,7 +58,7 @@ TEST(FrameParts, the_newest_frame_of_a_closed_set_says_that_it_is_the_last) {
   EXPECT_TRUE(wire::parse_frame(frames[1])->last);
 }
 
-TEST(FrameParts, a_frame_longer_than_a_message_goes_in_parts) {
+TEST(FrameParts, a_frame_longer_than_a_message_is_split) {
   FramePacker packer(1000);
   FrameUnpacker unpacker;
   for (const std::size_t size : {988u, 989u, 5000u, 1984u}) {
@@ -70,7 +70,7 @@ TEST(FrameParts, a_frame_longer_than_a_message_goes_in_parts) {
   }
 }
 
-TEST(FrameParts, what_misses_a_part_is_left_out_and_what_follows_is_not) {
+TEST(FrameParts, drops_a_frame_with_a_missing_part_and_keeps_the_next) {
   for (std::size_t lost = 0; lost < 3; ++lost) {
     FramePacker packer(1000);
     FrameUnpacker unpacker;
@@ -84,7 +84,7 @@ TEST(FrameParts, what_misses_a_part_is_left_out_and_what_follows_is_not) {
   }
 }
 
-TEST(FrameParts, what_is_no_such_message_is_left_out) {
+TEST(FrameParts, ignores_other_messages) {
   FrameUnpacker unpacker;
   const Bytes too_short(7), empty(8), long_length{0, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255, 1};
   Bytes continues_nothing(20);
@@ -92,7 +92,7 @@ TEST(FrameParts, what_is_no_such_message_is_left_out) {
   EXPECT_TRUE(unpacked(unpacker, {too_short, empty, long_length, continues_nothing}).empty());
 }
 
-TEST(FrameParts, parts_that_never_end_take_no_more_memory_than_two_frames) {
+TEST(FrameParts, endless_parts_use_the_memory_of_two_frames_at_most) {
   FrameUnpacker unpacker;
   Bytes part(1 << 20);
   std::size_t frames = 0;
@@ -100,7 +100,7 @@ TEST(FrameParts, parts_that_never_end_take_no_more_memory_than_two_frames) {
     part[0] = static_cast<std::uint8_t>(number);
     part[4] = number == 0 ? 2 : 3;  // is continued, and continues
     unpacker.take(part, [&](const net::MessageBuffer&) { ++frames; });
-    EXPECT_LE(unpacker.begun_bytes(), 2 * wire::kMaxFrameBytes);
+    EXPECT_LE(unpacker.partial_bytes(), 2 * wire::kMaxFrameBytes);
   }
   EXPECT_EQ(frames, 0u);
 }

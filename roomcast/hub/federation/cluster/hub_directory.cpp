@@ -29,13 +29,13 @@ std::optional<float> busy_share(const pb::Heartbeat& hub) {
   return hub.load() / hub.cores();
 }
 
-bool HubDirectory::take(const pb::Heartbeat& heartbeat, HostTime now) {
+bool HubDirectory::update(const pb::Heartbeat& heartbeat, HostTime now) {
   const HubId id{heartbeat.hub()};
   if (id == own_ || id.value == 0) return false;
   const bool is_known = others_.contains(id);
   if (!is_known && (others_.size() >= kMaxHubs || heartbeat.leaves())) return false;
   OtherHub& hub = others_[id];
-  learn_clock(hub, heartbeat, now);
+  update_clock(hub, heartbeat, now);
   hub.newest = heartbeat;
   if (heartbeat.all_rooms_size() > 0) {
     hub.rooms = {heartbeat.all_rooms().begin(), heartbeat.all_rooms().end()};
@@ -44,17 +44,17 @@ bool HubDirectory::take(const pb::Heartbeat& heartbeat, HostTime now) {
   return true;
 }
 
-void HubDirectory::learn_clock(OtherHub& hub, const pb::Heartbeat& heartbeat, HostTime now) const {
+void HubDirectory::update_clock(OtherHub& hub, const pb::Heartbeat& heartbeat, HostTime now) const {
   for (const pb::Heard& heard : heartbeat.heard()) {
     if (HubId{heard.hub()} != own_) continue;
     const HostTime sent = host_time(heard.sent_ns());
-    const nanoseconds lay_there = host_time(heartbeat.sent_ns()) - host_time(heard.received_ns());
+    const nanoseconds held_there = host_time(heartbeat.sent_ns()) - host_time(heard.received_ns());
     const RoomTime theirs(host_time(heartbeat.sent_ns()).time_since_epoch());
-    if (lay_there >= nanoseconds(0)) hub.clock.add(sent + lay_there, theirs, now);
+    if (held_there >= nanoseconds(0)) hub.clock.add(sent + held_there, theirs, now);
   }
 }
 
-std::vector<HubId> HubDirectory::take_gone(HostTime now) {
+std::vector<HubId> HubDirectory::remove_gone(HostTime now) {
   std::vector<HubId> gone;
   std::erase_if(others_, [&](const auto& entry) {
     const auto& [id, hub] = entry;
@@ -107,10 +107,10 @@ std::vector<std::string> HubDirectory::urls() const {
 }
 
 std::vector<std::string> HubDirectory::urls_of(
-    const std::function<bool(const OtherHub&)>& is_meant) const {
+    const std::function<bool(const OtherHub&)>& matches) const {
   std::vector<std::string> urls;
   for (const auto& [id, hub] : others_) {
-    if (is_public(hub) && is_meant(hub)) urls.push_back(hub.newest.public_url());
+    if (is_public(hub) && matches(hub)) urls.push_back(hub.newest.public_url());
   }
   std::ranges::sort(urls);
   if (urls.size() > wire::kMaxOtherHubs) urls.resize(wire::kMaxOtherHubs);

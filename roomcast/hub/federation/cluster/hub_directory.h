@@ -40,9 +40,9 @@ class HubDirectory {
 
   /// False, and ignored: the heartbeat is our own or invalid, it is a farewell of an unknown hub,
   /// or there are too many hubs.
-  bool take(const pb::Heartbeat& heartbeat, HostTime now);
+  bool update(const pb::Heartbeat& heartbeat, HostTime now);
   /// Removes and returns the hubs that are shutting down or silent for too long.
-  [[nodiscard]] std::vector<HubId> take_gone(HostTime now);
+  [[nodiscard]] std::vector<HubId> remove_gone(HostTime now);
   /// Adds the other hubs' newest heartbeats to `own`.
   void write_heard(pb::Heartbeat& own) const;
 
@@ -61,8 +61,8 @@ class HubDirectory {
 
  private:
   [[nodiscard]] std::vector<std::string> urls_of(
-      const std::function<bool(const OtherHub&)>& is_meant) const;
-  void learn_clock(OtherHub& hub, const pb::Heartbeat& heartbeat, HostTime now) const;
+      const std::function<bool(const OtherHub&)>& matches) const;
+  void update_clock(OtherHub& hub, const pb::Heartbeat& heartbeat, HostTime now) const;
 
   const HubId own_;
   std::map<HubId, OtherHub> others_;

@@ -32,42 +32,43 @@ pb::RoomHere& add_room(pb::Heartbeat& heartbeat, std::uint32_t sensors) {
   return here;
 }
 
-TEST(HubDirectory, a_hub_is_there_until_it_is_silent_or_leaves) {
+TEST(HubDirectory, lists_a_hub_until_it_is_silent_or_leaves) {
   HubDirectory directory(kOwnHub);
   const HostTime start(100s);
-  EXPECT_TRUE(directory.take(heartbeat_of(kLowerHub), start));
-  EXPECT_TRUE(directory.take(heartbeat_of(kHigherHub), start + kGoneAfter));
-  EXPECT_TRUE(directory.take_gone(start + kGoneAfter).empty());
-  EXPECT_EQ(directory.take_gone(start + kGoneAfter + 1ms), std::vector{kLowerHub});
-  EXPECT_TRUE(directory.take_gone(start + kGoneAfter + 1ms).empty()) << "once";
+  EXPECT_TRUE(directory.update(heartbeat_of(kLowerHub), start));
+  EXPECT_TRUE(directory.update(heartbeat_of(kHigherHub), start + kGoneAfter));
+  EXPECT_TRUE(directory.remove_gone(start + kGoneAfter).empty());
+  EXPECT_EQ(directory.remove_gone(start + kGoneAfter + 1ms), std::vector{kLowerHub});
+  EXPECT_TRUE(directory.remove_gone(start + kGoneAfter + 1ms).empty()) << "once";
   auto leaving = heartbeat_of(kHigherHub);
   leaving.set_leaves(true);
-  EXPECT_TRUE(directory.take(leaving, start + kGoneAfter));
-  EXPECT_EQ(directory.take_gone(start + kGoneAfter), std::vector{kHigherHub});
-  EXPECT_FALSE(directory.take(leaving, start)) << "who was never there does not go";
+  EXPECT_TRUE(directory.update(leaving, start + kGoneAfter));
+  EXPECT_EQ(directory.remove_gone(start + kGoneAfter), std::vector{kHigherHub});
+  EXPECT_FALSE(directory.update(leaving, start)) << "an unknown hub cannot leave";
 }
 
-TEST(HubDirectory, own_heartbeats_and_nonsense_are_not_taken) {
+TEST(HubDirectory, rejects_own_and_invalid_heartbeats) {
   HubDirectory directory(kOwnHub);
-  EXPECT_FALSE(directory.take(heartbeat_of(kOwnHub), {}));
-  EXPECT_FALSE(directory.take(heartbeat_of(HubId{0}), {}));
-  for (std::uint64_t id = 10; id < 10 + kMaxHubs; ++id) directory.take(heartbeat_of(HubId{id}), {});
-  EXPECT_FALSE(directory.take(heartbeat_of(HubId{1'000}), {}));
-  EXPECT_TRUE(directory.take(heartbeat_of(HubId{10}), {})) << "that one is known";
+  EXPECT_FALSE(directory.update(heartbeat_of(kOwnHub), {}));
+  EXPECT_FALSE(directory.update(heartbeat_of(HubId{0}), {}));
+  for (std::uint64_t id = 10; id < 10 + kMaxHubs; ++id)
+    directory.update(heartbeat_of(HubId{id}), {});
+  EXPECT_FALSE(directory.update(heartbeat_of(HubId{1'000}), {}));
+  EXPECT_TRUE(directory.update(heartbeat_of(HubId{10}), {})) << "that one is known";
   EXPECT_EQ(directory.others().size(), kMaxHubs);
 }
 
-TEST(HubDirectory, heartbeats_that_answer_each_other_tell_the_clock) {
+TEST(HubDirectory, heartbeats_that_answer_each_other_give_the_clock_offset) {
   constexpr auto kAhead = 7s;  // of the other hub's clock
   HubDirectory here(kOwnHub), there(kLowerHub);
   HostTime now(100s);
   for (int i = 0; i < 10; ++i, now += 150ms) {
     auto own = heartbeat_of(kOwnHub, now);
     here.write_heard(own);
-    there.take(own, now + 2ms + kAhead);
+    there.update(own, now + 2ms + kAhead);
     auto theirs = heartbeat_of(kLowerHub, now + 80ms + kAhead);
     there.write_heard(theirs);
-    here.take(theirs, now + 82ms);
+    here.update(theirs, now + 82ms);
   }
   const auto estimate = here.find(kLowerHub)->clock.estimate();
   ASSERT_TRUE(estimate);
@@ -76,49 +77,49 @@ TEST(HubDirectory, heartbeats_that_answer_each_other_tell_the_clock) {
   EXPECT_LE(estimate->error, 3ms);
 }
 
-TEST(HubDirectory, a_clock_needs_an_answer) {
+TEST(HubDirectory, a_clock_offset_needs_an_answer) {
   HubDirectory directory(kOwnHub);
-  directory.take(heartbeat_of(kLowerHub, HostTime(1s)), HostTime(2s));
+  directory.update(heartbeat_of(kLowerHub, HostTime(1s)), HostTime(2s));
   EXPECT_FALSE(directory.find(kLowerHub)->clock.estimate().has_value());
 }
 
-TEST(HubDirectory, an_answer_from_before_its_question_says_nothing) {
+TEST(HubDirectory, ignores_an_answer_older_than_its_question) {
   HubDirectory directory(kOwnHub);
   auto heartbeat = heartbeat_of(kLowerHub, HostTime(1s));
   pb::Heard& heard = *heartbeat.add_heard();
   heard.set_hub(kOwnHub.value);
   heard.set_sent_ns(ns(HostTime(1s)));
   heard.set_received_ns(ns(HostTime(2s)));
-  directory.take(heartbeat, HostTime(2s));
+  directory.update(heartbeat, HostTime(2s));
   EXPECT_FALSE(directory.find(kLowerHub)->clock.estimate().has_value());
 }
 
-TEST(HubDirectory, frames_are_wanted_as_long_as_one_hub_wants_them) {
+TEST(HubDirectory, frames_are_wanted_while_any_hub_wants_them) {
   HubDirectory directory(kOwnHub);
   auto heartbeat = heartbeat_of(kLowerHub);
   add_room(heartbeat, 0).set_wants_frames(true);
-  directory.take(heartbeat, {});
+  directory.update(heartbeat, {});
   EXPECT_TRUE(directory.is_wanted("lab"));
   EXPECT_FALSE(directory.is_wanted("kitchen"));
-  directory.take(heartbeat_of(kLowerHub), {});
+  directory.update(heartbeat_of(kLowerHub), {});
   EXPECT_FALSE(directory.is_wanted("lab"));
 }
 
-TEST(HubDirectory, says_where_else_a_room_is) {
+TEST(HubDirectory, lists_the_hubs_that_have_a_room) {
   HubDirectory directory(kOwnHub);
   for (const auto& [hub, url] : {std::pair(kLowerHub, "wss://b"), std::pair(kHigherHub, "wss://a"),
                                  std::pair(HubId{9}, ""), std::pair(HubId{10}, "wss://other")}) {
     auto heartbeat = heartbeat_of(hub);
     heartbeat.set_public_url(url);
     heartbeat.add_all_rooms(hub == HubId{10} ? "kitchen" : "lab");
-    directory.take(heartbeat, {});
+    directory.update(heartbeat, {});
     heartbeat.clear_all_rooms();  // not in every heartbeat
-    directory.take(heartbeat, {});
+    directory.update(heartbeat, {});
   }
   EXPECT_EQ(directory.urls_with("lab"), (std::vector<std::string>{"wss://a", "wss://b"}));
 }
 
-TEST(HubDirectory, says_who_is_much_less_busy_the_least_busy_first) {
+TEST(HubDirectory, lists_much_less_busy_hubs_least_busy_first) {
   HubDirectory directory(kOwnHub);
   const auto hear = [&](std::uint64_t id, const std::string& url, float load, float cores,
                         const std::string& room = "lab") {
@@ -127,13 +128,13 @@ TEST(HubDirectory, says_who_is_much_less_busy_the_least_busy_first) {
     heartbeat.set_load(load);
     heartbeat.set_cores(cores);
     heartbeat.add_all_rooms(room);
-    directory.take(heartbeat, {});
+    directory.update(heartbeat, {});
   };
   hear(11, "wss://half", 0.8F, 2);
   hear(12, "wss://idle", 0, 2);
   hear(13, "wss://nearly-as-busy", 1, 2);
   hear(14, "", 0, 2);
-  hear(15, "wss://says-nothing", 0, 0);
+  hear(15, "wss://silent", 0, 0);
   hear(16, "wss://nonsense", std::numeric_limits<float>::quiet_NaN(), 2);
   hear(17, "wss://another-room", 0, 2, "kitchen");
   auto own = heartbeat_of(kOwnHub);
@@ -150,13 +151,13 @@ std::optional<HubId> owner_as_seen_by(HubId who, const std::vector<pb::Heartbeat
   HubDirectory directory(who);
   pb::Heartbeat own;
   for (const auto& hub : hubs) {
-    directory.take(hub, {});
+    directory.update(hub, {});
     if (HubId{hub.hub()} == who) own = hub;
   }
   return owner_of("lab", own, directory);
 }
 
-TEST(RoomOwner, is_the_lowest_of_those_with_sensors_and_all_agree) {
+TEST(RoomOwner, is_the_lowest_id_with_sensors_on_all_hubs) {
   std::vector hubs{heartbeat_of(kOwnHub), heartbeat_of(kLowerHub), heartbeat_of(kHigherHub)};
   add_room(hubs[0], 1);
   add_room(hubs[1], 0);
@@ -168,9 +169,9 @@ TEST(RoomOwner, is_the_lowest_of_those_with_sensors_and_all_agree) {
     EXPECT_EQ(owner_as_seen_by(who, hubs), kHigherHub);
 }
 
-TEST(RoomOwner, is_one_that_can_place_sensors_of_a_room_that_had_some) {
+TEST(RoomOwner, is_a_hub_with_an_aligner_and_sensors) {
   std::vector hubs{heartbeat_of(kOwnHub), heartbeat_of(kLowerHub)};
-  EXPECT_EQ(owner_as_seen_by(kOwnHub, hubs), std::nullopt) << "nobody has the room";
+  EXPECT_EQ(owner_as_seen_by(kOwnHub, hubs), std::nullopt) << "no hub has the room";
   add_room(hubs[1], 0).set_revision(0);
   EXPECT_EQ(owner_as_seen_by(kOwnHub, hubs), std::nullopt) << "it has never had a sensor";
   hubs[1].mutable_rooms(0)->set_revision(1);

@@ -9,7 +9,7 @@ namespace roomcast::hub::federation {
 
 namespace wpb = wire::pb;
 
-void PresenceIdMap::are(HubId hub, const Entries& people) {
+void PresenceIdMap::set(HubId hub, const Entries& people) {
   const auto before = std::exchange(hubs_[hub], {});
   auto& now = hubs_[hub];
   for (const wpb::ViewerEntry& person : people) {

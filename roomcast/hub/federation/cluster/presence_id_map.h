@@ -18,7 +18,7 @@ class PresenceIdMap {
   using Entries = google::protobuf::RepeatedPtrField<wire::pb::ViewerEntry>;
 
   /// Sets all people at this hub or behind it; more than kMaxPeopleHere are left out.
-  void are(HubId hub, const Entries& people);
+  void set(HubId hub, const Entries& people);
   /// All people, with our IDs.
   [[nodiscard]] wire::pb::PeopleHere all() const;
   /// The poses of people that this hub has reported, with our IDs.

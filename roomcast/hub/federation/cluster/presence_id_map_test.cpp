@@ -16,24 +16,24 @@ PresenceIdMap::Entries people(std::initializer_list<std::uint32_t> ids) {
   return entries;
 }
 
-TEST(PresenceIdMap, have_numbers_of_their_own_that_stay) {
+TEST(PresenceIdMap, assigns_stable_ids) {
   PresenceIdMap hubs;
-  hubs.are(kOne, people({1, 2}));
-  hubs.are(kOtherOrigin, people({1}));
+  hubs.set(kOne, people({1, 2}));
+  hubs.set(kOtherOrigin, people({1}));
   const auto before = hubs.all();
   ASSERT_EQ(before.people_size(), 3);
   EXPECT_NE(before.people(0).id(), before.people(2).id());
-  hubs.are(kOne, people({2}));
+  hubs.set(kOne, people({2}));
   const auto after = hubs.all();
   ASSERT_EQ(after.people_size(), 2);
   EXPECT_EQ(after.people(0).id(), before.people(1).id());
-  hubs.are(kOne, people({1, 2}));
-  EXPECT_NE(hubs.all().people(0).id(), before.people(0).id()) << "somebody else";
+  hubs.set(kOne, people({1, 2}));
+  EXPECT_NE(hubs.all().people(0).id(), before.people(0).id()) << "another person";
 }
 
-TEST(PresenceIdMap, poses_are_those_of_whom_the_same_hub_has_told) {
+TEST(PresenceIdMap, renames_poses_of_people_reported_by_the_same_hub_only) {
   PresenceIdMap hubs;
-  hubs.are(kOne, people({1}));
+  hubs.set(kOne, people({1}));
   wire::pb::ViewerPoses poses;
   poses.add_poses()->set_viewer_id(1);
   poses.add_poses()->set_viewer_id(2);
@@ -42,11 +42,11 @@ TEST(PresenceIdMap, poses_are_those_of_whom_the_same_hub_has_told) {
   EXPECT_EQ(hubs.renamed(kOtherOrigin, poses).poses_size(), 0);
 }
 
-TEST(PresenceIdMap, of_one_hub_are_bounded_in_number) {
+TEST(PresenceIdMap, limits_the_people_of_one_hub) {
   PresenceIdMap hubs;
   PresenceIdMap::Entries many;
   for (int i = 0; i <= wire::kMaxPeopleHere; ++i) many.Add()->set_id(static_cast<unsigned>(i));
-  hubs.are(kOne, many);
+  hubs.set(kOne, many);
   EXPECT_EQ(hubs.all().people_size(), wire::kMaxPeopleHere);
 }
 

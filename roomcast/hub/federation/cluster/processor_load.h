@@ -13,7 +13,7 @@ class ProcessorLoad {
  public:
   static constexpr std::chrono::seconds kOver{1};
 
-  void look(HostTime now) {
+  void sample(HostTime now) {
     if (now - since_ < kOver) return;
     const nanoseconds used = used_so_far();
     cores_ =

@@ -6,7 +6,7 @@
 namespace roomcast::hub::federation {
 namespace {
 
-TEST(RevokedTokens, come_as_they_were_sent) {
+TEST(RevokedTokens, are_read_as_written) {
   const hub::Claims sent{.id = "t1",
                          .grant = {.room = "lab", .role = hub::TokenRole::kSensor, .name = "left"},
                          .issued_at = 10,
@@ -21,7 +21,7 @@ TEST(RevokedTokens, come_as_they_were_sent) {
   EXPECT_EQ(came[0].expires_at, 20);
 }
 
-TEST(RevokedTokens, nonsense_is_left_out) {
+TEST(RevokedTokens, leave_out_invalid_entries) {
   const hub::Claims good{.id = "t1", .grant = {.room = "lab"}};
   pb::Revoked message = revoked_message({good, good, good, good, good});
   message.mutable_tokens(0)->clear_id();

@@ -39,7 +39,7 @@ SharedRoom::SharedRoom(Context context) : context_(std::move(context)) {
 
 // ---- in the room here
 
-void SharedRoom::stay() {
+void SharedRoom::ensure_joined() {
   if (!aligner_) join();
 }
 
@@ -70,7 +70,7 @@ void SharedRoom::on_room_message(ConnectionId to, const wpb::Control& message) {
     if (message.has_roster()) return take_roster(message.roster());
     if (message.has_viewer_poses())
       return broadcast_poses(people_here_.take(message.viewer_poses()));
-    return pass_to_owner(message);
+    return forward_to_owner(message);
   }
   for (auto& [id, hub] : others_) {
     const auto request = hub.sensors.on_room_message(to, message);
@@ -82,8 +82,8 @@ void SharedRoom::on_room_message(ConnectionId to, const wpb::Control& message) {
     if (message.has_sighting_request() && is_owner()) {
       *out.mutable_sightings_wanted()->mutable_request() = message.sighting_request();
     }
-    if (out.what_case() != pb::ToHub::WHAT_NOT_SET) context_.out.tell(id, out);
-    if (message.has_welcome() && is_owner()) ask_for_bundles(id);
+    if (out.what_case() != pb::ToHub::WHAT_NOT_SET) context_.out.send_to(id, out);
+    if (message.has_welcome() && is_owner()) request_bundles(id);
     return;
   }
 }
@@ -145,7 +145,7 @@ SharedRoom::Claim SharedRoom::winner(const std::string& sensor) const {
 }
 
 /// Mirrors exactly those sensors of other hubs that have the highest claim to their name.
-void SharedRoom::follow_winners() {
+void SharedRoom::mirror_winners() {
   std::map<HubId, std::vector<hub::federation::SensorThere>> online;
   for (const auto& [id, hub] : others_) {
     for (const pb::SensorHere& there : hub.news.sensors()) {
@@ -153,7 +153,7 @@ void SharedRoom::follow_winners() {
       online[id].push_back({.entry = there.entry(), .token_id = there.token_id()});
     }
   }
-  for (auto& [id, hub] : others_) hub.sensors.follow(online[id]);
+  for (auto& [id, hub] : others_) hub.sensors.set_online(online[id]);
 }
 
 // ---- news
@@ -200,17 +200,17 @@ std::uint32_t SharedRoom::revision_of(HubId hub) const {
   return known == others_.end() ? 0 : known->second.news.revision();
 }
 
-void SharedRoom::news(const pb::RoomNews& news) {
+void SharedRoom::on_news(const pb::RoomNews& news) {
   const HubId from{news.hub()};
   if (from == context_.own || news.revision() <= revision_of(from) || !is_legal(news)) return;
   other(from).news = news;
-  follow_winners();
+  mirror_winners();
   place_sensors();
-  people_there_.are(from, news.people());
+  people_there_.set(from, news.people());
   show_people();
 }
 
-void SharedRoom::frames(HubId from, std::span<const std::uint8_t> message) {
+void SharedRoom::on_frames(HubId from, std::span<const std::uint8_t> message) {
   const auto hub = others_.find(from);
   if (hub == others_.end()) return;
   hub->second.unpacker.take(
@@ -233,10 +233,10 @@ void SharedRoom::set_clock(HubId hub, const client::ClockEstimate& estimate) {
 void SharedRoom::remove_hub(HubId hub) {
   const auto found = others_.find(hub);
   if (found == others_.end()) return;
-  found->second.sensors.other_hub_is_gone();
+  found->second.sensors.on_hub_lost();
   others_.erase(found);
-  follow_winners();
-  people_there_.are(hub, {});
+  mirror_winners();
+  people_there_.set(hub, {});
   show_people();
 }
 
@@ -244,12 +244,12 @@ void SharedRoom::remove_hub(HubId hub) {
 
 void SharedRoom::show_people() {
   if (!is_welcome_) return;
-  if (const auto news = shown_presence_.news(people_there_.all())) {
+  if (const auto news = shown_presence_.update(people_there_.all())) {
     context_.rooms.on_control(*aligner_, *news);
   }
 }
 
-void SharedRoom::people_moved(const pb::PeopleMoved& people) {
+void SharedRoom::on_poses(const pb::PeopleMoved& people) {
   const HubId from{people.hub()};
   if (from == context_.own || !is_welcome_) return;
   wpb::Control control;
@@ -265,7 +265,7 @@ void SharedRoom::broadcast_poses(const wpb::ViewerPoses& poses) {
   context_.out.broadcast_poses(context_.room, moved);
 }
 
-void SharedRoom::tell_poses_again() {
+void SharedRoom::resend_poses() {
   broadcast_poses(people_here_.newest_poses());
 }
 

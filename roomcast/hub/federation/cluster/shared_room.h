@@ -33,7 +33,7 @@ class SharedRoomOut {
  public:
   virtual ~SharedRoomOut() = default;
   virtual void broadcast_news(const pb::RoomNews& news) = 0;
-  virtual void tell(HubId hub, const pb::ToHub& message) = 0;
+  virtual void send_to(HubId hub, const pb::ToHub& message) = 0;
   virtual void broadcast_poses(const std::string& room, const pb::PeopleMoved& people) = 0;
 };
 
@@ -51,7 +51,7 @@ class SharedRoom final : public BackplaneRoom {
   explicit SharedRoom(Context context);
 
   /// Rejoins the room if it was removed. Call it at first, and then periodically.
-  void stay();
+  void ensure_joined();
 
   // From the room here.
   void on_room_message(ConnectionId to, const wire::pb::Control& message) override;
@@ -60,17 +60,17 @@ class SharedRoom final : public BackplaneRoom {
   void sensor_joins(const std::string& name, const std::string& token_id);
 
   // From other hubs.
-  void news(const pb::RoomNews& news);
-  void take(const pb::ToHub& message);
-  void frames(HubId from, std::span<const std::uint8_t> message);
-  void people_moved(const pb::PeopleMoved& people);
+  void on_news(const pb::RoomNews& news);
+  void on_message(const pb::ToHub& message);
+  void on_frames(HubId from, std::span<const std::uint8_t> message);
+  void on_poses(const pb::PeopleMoved& people);
   void set_clock(HubId hub, const client::ClockEstimate& estimate);
   void remove_hub(HubId hub);
   /// Sets the hub that estimates sensor poses; nothing: none.
   void set_owner(std::optional<HubId> owner);
 
   /// Sends the poses of this hub's people again, for hubs that have joined since or missed them.
-  void tell_poses_again();
+  void resend_poses();
 
   /// Sets the addresses of the other hubs that have this room.
   void set_other_urls(const std::vector<std::string>& urls);
@@ -117,7 +117,7 @@ class SharedRoom final : public BackplaneRoom {
   void take_roster(const wire::pb::Roster& roster);
   void publish_news();
   [[nodiscard]] pb::RoomNews news_of_roster() const;
-  void follow_winners();
+  void mirror_winners();
   [[nodiscard]] Claim winner(const std::string& sensor) const;
   [[nodiscard]] bool is_mirrored(const std::string& sensor) const;
   [[nodiscard]] bool is_local(std::uint32_t sensor_id) const;
@@ -127,10 +127,10 @@ class SharedRoom final : public BackplaneRoom {
   void broadcast_poses(const wire::pb::ViewerPoses& poses);
 
   void place_sensors();
-  void pass_to_owner(const wire::pb::Control& said_here);
-  void ask_for_bundles(HubId hub);
-  void take_said(HubId from, const pb::SensorMessage& said);
-  void take_nudge(const pb::NamedNudge& nudge);
+  void forward_to_owner(const wire::pb::Control& local);
+  void request_bundles(HubId hub);
+  void on_sensor_message(HubId from, const pb::SensorMessage& message);
+  void on_nudge(const pb::NamedNudge& nudge);
   [[nodiscard]] bool is_owner() const { return owner_ == context_.own; }
   [[nodiscard]] pb::ToHub message_to_hub() const;
   [[nodiscard]] const wire::pb::SensorEntry* entry_of(const std::string& sensor) const;

@@ -17,14 +17,14 @@ bool same_pose(const wpb::SensorEntry& a, const wpb::SensorEntry& b) {
 }
 
 /// Whether another hub's entry of a sensor adds to the entry known here.
-bool is_news(const wpb::SensorEntry& said, const wpb::SensorEntry& here) {
-  if (here.placement() == wpb::PLACEMENT_GIVEN || said.moved()) return false;
-  const bool other_note = said.placement_note() != here.placement_note();
-  if (said.placement() != wpb::PLACEMENT_ALIGNED) return other_note;
-  if (here.moved() && same_pose(said, here)) return false;  // the move is unknown there
-  return here.placement() != wpb::PLACEMENT_ALIGNED || !same_pose(said, here) || other_note ||
-         said.expected_error_mm() != here.expected_error_mm() ||
-         said.unverified() != here.unverified();
+bool is_update(const wpb::SensorEntry& remote, const wpb::SensorEntry& here) {
+  if (here.placement() == wpb::PLACEMENT_GIVEN || remote.moved()) return false;
+  const bool other_note = remote.placement_note() != here.placement_note();
+  if (remote.placement() != wpb::PLACEMENT_ALIGNED) return other_note;
+  if (here.moved() && same_pose(remote, here)) return false;  // the move is unknown there
+  return here.placement() != wpb::PLACEMENT_ALIGNED || !same_pose(remote, here) || other_note ||
+         remote.expected_error_mm() != here.expected_error_mm() ||
+         remote.unverified() != here.unverified();
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ void SharedRoom::set_owner(std::optional<HubId> owner) {
   place_sensors();
   if (!is_owner()) return;
   for (const auto& [id, hub] : others_) {
-    if (!hub.sensors.all().empty()) ask_for_bundles(id);
+    if (!hub.sensors.all().empty()) request_bundles(id);
   }
 }
 
@@ -44,11 +44,11 @@ void SharedRoom::set_owner(std::optional<HubId> owner) {
 void SharedRoom::place_sensors() {
   if (!is_welcome_ || is_owner()) return;
   wpb::Control control;
-  const auto consider = [&](const wpb::SensorEntry& said) {
-    const wpb::SensorEntry* here = entry_of(said.name());
-    if (here == nullptr || !is_news(said, *here)) return;
+  const auto consider = [&](const wpb::SensorEntry& remote) {
+    const wpb::SensorEntry* here = entry_of(remote.name());
+    if (here == nullptr || !is_update(remote, *here)) return;
     const SensorId id{static_cast<std::uint16_t>(here->id())};
-    *control.mutable_placements()->add_sensors() = hub::federation::placement_of(said, id);
+    *control.mutable_placements()->add_sensors() = hub::federation::placement_of(remote, id);
   };
   const auto owner = owner_ ? others_.find(*owner_) : others_.end();
   if (owner != others_.end()) std::ranges::for_each(owner->second.news.placed(), consider);
@@ -60,31 +60,31 @@ void SharedRoom::place_sensors() {
 }
 
 /// Forwards messages of sensors and people here to the owner.
-void SharedRoom::pass_to_owner(const wpb::Control& said_here) {
+void SharedRoom::forward_to_owner(const wpb::Control& local) {
   if (!owner_ || is_owner()) return;
   pb::ToHub message = message_to_hub();
   *message.mutable_news() = news_;
   const auto pass = [&](std::uint32_t sensor_id) {
     if (!is_local(sensor_id)) return;
     message.mutable_sensor_said()->set_sensor_id(sensor_id);
-    *message.mutable_sensor_said()->mutable_control() = said_here;
+    *message.mutable_sensor_said()->mutable_control() = local;
   };
-  if (said_here.has_calibration_bundle()) pass(said_here.calibration_bundle().sensor_id());
-  if (said_here.has_sightings()) pass(said_here.sightings().sensor_id());
-  if (said_here.has_nudge()) {
+  if (local.has_calibration_bundle()) pass(local.calibration_bundle().sensor_id());
+  if (local.has_sightings()) pass(local.sightings().sensor_id());
+  if (local.has_nudge()) {
     for (const wpb::SensorEntry& entry : roster_.sensors()) {
-      if (entry.id() != said_here.nudge().sensor_id()) continue;
+      if (entry.id() != local.nudge().sensor_id()) continue;
       message.mutable_nudge()->set_sensor(entry.name());
-      *message.mutable_nudge()->mutable_world_from_depth() = said_here.nudge().world_from_depth();
+      *message.mutable_nudge()->mutable_world_from_depth() = local.nudge().world_from_depth();
     }
   }
-  if (message.what_case() != pb::ToHub::WHAT_NOT_SET) context_.out.tell(*owner_, message);
+  if (message.what_case() != pb::ToHub::WHAT_NOT_SET) context_.out.send_to(*owner_, message);
 }
 
-void SharedRoom::ask_for_bundles(HubId hub) {
+void SharedRoom::request_bundles(HubId hub) {
   pb::ToHub message = message_to_hub();
   message.mutable_bundles_please();
-  context_.out.tell(hub, message);
+  context_.out.send_to(hub, message);
 }
 
 pb::ToHub SharedRoom::message_to_hub() const {
@@ -94,9 +94,9 @@ pb::ToHub SharedRoom::message_to_hub() const {
   return message;
 }
 
-void SharedRoom::take(const pb::ToHub& message) {
+void SharedRoom::on_message(const pb::ToHub& message) {
   const HubId from{message.from()};
-  if (message.has_news()) news(message.news());
+  if (message.has_news()) on_news(message.news());
   switch (message.what_case()) {
     case pb::ToHub::kKeyRequest: {
       const SensorId sensor{static_cast<std::uint16_t>(message.key_request().sensor_id())};
@@ -104,7 +104,7 @@ void SharedRoom::take(const pb::ToHub& message) {
       return;
     }
     case pb::ToHub::kSensorSaid:
-      return take_said(from, message.sensor_said());
+      return on_sensor_message(from, message.sensor_said());
     case pb::ToHub::kSightingsWanted: {
       if (from != owner_ || !is_welcome_) return;
       wpb::Control control;
@@ -112,7 +112,7 @@ void SharedRoom::take(const pb::ToHub& message) {
       return context_.rooms.on_control(*aligner_, control);
     }
     case pb::ToHub::kNudge:
-      return take_nudge(message.nudge());
+      return on_nudge(message.nudge());
     case pb::ToHub::kNewsPlease:
       return context_.out.broadcast_news(news_);
     case pb::ToHub::kBundlesPlease:
@@ -125,10 +125,10 @@ void SharedRoom::take(const pb::ToHub& message) {
 }
 
 /// Sighting times are converted to this hub's clock.
-void SharedRoom::take_said(HubId from, const pb::SensorMessage& said) {
+void SharedRoom::on_sensor_message(HubId from, const pb::SensorMessage& message) {
   const auto hub = others_.find(from);
-  if (!is_owner() || hub == others_.end() || !wire::check_control(said.control())) return;
-  wpb::Control control = said.control();
+  if (!is_owner() || hub == others_.end() || !wire::check_control(message.control())) return;
+  wpb::Control control = message.control();
   if (!control.has_calibration_bundle() && !control.has_sightings()) return;
   const auto convert = [&](auto& sighting) {
     const RoomTime there(nanoseconds(static_cast<std::int64_t>(sighting.room_ns())));
@@ -143,10 +143,10 @@ void SharedRoom::take_said(HubId from, const pb::SensorMessage& said) {
     }
     for (auto& tag : *control.mutable_sightings()->mutable_tags()) times_are_known &= convert(tag);
   }
-  if (times_are_known) hub->second.sensors.forward(said.sensor_id(), control);
+  if (times_are_known) hub->second.sensors.forward(message.sensor_id(), control);
 }
 
-void SharedRoom::take_nudge(const pb::NamedNudge& nudge) {
+void SharedRoom::on_nudge(const pb::NamedNudge& nudge) {
   const wpb::SensorEntry* entry = entry_of(nudge.sensor());
   if (!is_owner() || !is_welcome_ || entry == nullptr) return;
   wpb::Control control;

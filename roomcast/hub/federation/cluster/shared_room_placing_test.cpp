@@ -28,15 +28,15 @@ wpb::SensorEntry aligned(std::uint32_t id, const std::string& name, double x_m) 
 class Hub final : public SharedRoomOut {
  public:
   explicit Hub(HubId id) : id_(id) {
-    room.stay();
+    room.ensure_joined();
     welcome(0, 0);
   }
   void broadcast_news(const pb::RoomNews& news) override {
-    if (other != nullptr) other->room.news(news);
+    if (other != nullptr) other->room.on_news(news);
   }
-  void tell(HubId, const pb::ToHub& message) override {
-    said_to_other.push_back(message);
-    if (other != nullptr) other->room.take(message);
+  void send_to(HubId, const pb::ToHub& message) override {
+    sent_to_other.push_back(message);
+    if (other != nullptr) other->room.on_message(message);
   }
   void broadcast_poses(const std::string&, const pb::PeopleMoved&) override {}
   void welcome(std::size_t n, std::uint32_t id) {
@@ -60,7 +60,7 @@ class Hub final : public SharedRoomOut {
 
   RoomHere here;
   Hub* other = nullptr;
-  std::vector<pb::ToHub> said_to_other;
+  std::vector<pb::ToHub> sent_to_other;
 
  private:
   const HubId id_;
@@ -90,99 +90,99 @@ class SharedRoomPlacing : public testing::Test {
                   sensor_there(1, "b", wpb::PLACEMENT_UNPLACED)});
     other.roster({sensor_there(0, "b", wpb::PLACEMENT_UNPLACED),
                   sensor_there(1, "a", wpb::PLACEMENT_UNPLACED)});
-    for (Hub* hub : {&owner, &other}) hub->here.said.clear();
+    for (Hub* hub : {&owner, &other}) hub->here.controls.clear();
   }
   Hub owner{kOwner}, other{kOther};
 };
 
-TEST_F(SharedRoomPlacing, what_a_sensor_sees_goes_to_the_owner_as_if_it_were_there) {
+TEST_F(SharedRoomPlacing, bundles_are_forwarded_to_the_owner) {
   wpb::Control bundle;
   bundle.mutable_calibration_bundle()->set_sensor_id(0);
   bundle.mutable_calibration_bundle()->set_depth("d");
   bundle.mutable_calibration_bundle()->set_color_jpeg("c");
   other.hear(bundle);
-  ASSERT_EQ(owner.here.said.size(), 1u);
-  EXPECT_EQ(owner.here.said[0].first, owner.here.joins[1].first);
-  EXPECT_TRUE(owner.here.said[0].second.has_calibration_bundle());
+  ASSERT_EQ(owner.here.controls.size(), 1u);
+  EXPECT_EQ(owner.here.controls[0].first, owner.here.joins[1].first);
+  EXPECT_TRUE(owner.here.controls[0].second.has_calibration_bundle());
   owner.hear(bundle);
-  EXPECT_EQ(owner.said_to_other.back().what_case(), pb::ToHub::kBundlesPlease) << "none goes back";
+  EXPECT_EQ(owner.sent_to_other.back().what_case(), pb::ToHub::kBundlesPlease) << "none goes back";
 }
 
 TEST_F(SharedRoomPlacing,
        the_owner_asks_for_bundles_when_a_sensor_comes_and_when_it_becomes_owner) {
-  ASSERT_EQ(owner.said_to_other.size(), 1u);
-  EXPECT_TRUE(owner.said_to_other[0].has_bundles_please());
-  EXPECT_EQ(other.here.left.size(), 1u) << "it joins again: the room tells it all bundles";
+  ASSERT_EQ(owner.sent_to_other.size(), 1u);
+  EXPECT_TRUE(owner.sent_to_other[0].has_bundles_please());
+  EXPECT_EQ(other.here.left.size(), 1u) << "it joins again: the room sends it all bundles";
   other.welcome(2, 0);
-  other.said_to_other.clear();
+  other.sent_to_other.clear();
   other.room.set_owner(kOther);
-  ASSERT_EQ(other.said_to_other.size(), 1u);
-  EXPECT_TRUE(other.said_to_other[0].has_bundles_please());
+  ASSERT_EQ(other.sent_to_other.size(), 1u);
+  EXPECT_TRUE(other.sent_to_other[0].has_bundles_please());
 }
 
-TEST_F(SharedRoomPlacing, poses_that_the_owner_found_hold_everywhere) {
+TEST_F(SharedRoomPlacing, the_owners_poses_are_applied_everywhere) {
   other.welcome(2, 0);
   owner.roster({aligned(0, "a", 1), aligned(1, "b", 2)});
-  ASSERT_EQ(other.here.said.size(), 1u);
-  EXPECT_EQ(other.here.said[0].first, other.aligner());
-  const auto& placements = other.here.said[0].second.placements();
+  ASSERT_EQ(other.here.controls.size(), 1u);
+  EXPECT_EQ(other.here.controls[0].first, other.aligner());
+  const auto& placements = other.here.controls[0].second.placements();
   ASSERT_EQ(placements.sensors_size(), 2);
   EXPECT_EQ(placements.sensors(0).sensor_id(), 1u) << "\"a\" has another number here";
   EXPECT_EQ(placements.sensors(0).world_from_depth(3), 1);
   EXPECT_EQ(placements.sensors(1).world_from_depth(3), 2);
 }
 
-TEST_F(SharedRoomPlacing, what_is_known_already_is_not_said_again) {
+TEST_F(SharedRoomPlacing, known_poses_are_not_sent_again) {
   other.welcome(2, 0);
   owner.roster({aligned(0, "a", 1), aligned(1, "b", 2)});
-  other.here.said.clear();
+  other.here.controls.clear();
   other.roster({aligned(0, "b", 2), aligned(1, "a", 1)});
-  EXPECT_TRUE(other.here.said.empty());
+  EXPECT_TRUE(other.here.controls.empty());
 }
 
-TEST_F(SharedRoomPlacing, the_pose_that_a_moved_sensor_had_is_no_news) {
+TEST_F(SharedRoomPlacing, the_old_pose_of_a_moved_sensor_is_ignored) {
   other.welcome(2, 0);
   owner.roster({aligned(0, "a", 1), aligned(1, "b", 2)});
-  other.here.said.clear();
+  other.here.controls.clear();
   auto moved = aligned(0, "b", 2);
   moved.set_moved(true);
   other.roster({moved, aligned(1, "a", 1)});
-  EXPECT_TRUE(other.here.said.empty());
-  EXPECT_TRUE(owner.here.said.back().second.has_sensor_moved()) << "the owner is told";
+  EXPECT_TRUE(other.here.controls.empty());
+  EXPECT_TRUE(owner.here.controls.back().second.has_sensor_moved()) << "the owner is notified";
 }
 
-TEST_F(SharedRoomPlacing, a_hub_that_is_not_the_owner_places_nothing_elsewhere) {
+TEST_F(SharedRoomPlacing, only_the_owner_publishes_poses) {
   other.welcome(2, 0);
   other.roster({aligned(0, "b", 5), aligned(1, "a", 6)});
-  EXPECT_TRUE(owner.here.said.empty());
+  EXPECT_TRUE(owner.here.controls.empty());
 }
 
-TEST_F(SharedRoomPlacing, where_nobody_works_it_out_a_sensors_own_hub_knows) {
+TEST_F(SharedRoomPlacing, without_an_owner_the_sensors_own_hub_decides) {
   for (Hub* hub : {&owner, &other}) hub->room.set_owner(std::nullopt);
   owner.roster({sensor_there(0, "a", wpb::PLACEMENT_UNPLACED),
                 sensor_there(1, "b", wpb::PLACEMENT_UNPLACED)});
   other.roster({aligned(0, "b", 5)});
-  ASSERT_FALSE(owner.here.said.empty());
-  EXPECT_EQ(owner.here.said.back().second.placements().sensors(0).sensor_id(), 1u);
+  ASSERT_FALSE(owner.here.controls.empty());
+  EXPECT_EQ(owner.here.controls.back().second.placements().sensors(0).sensor_id(), 1u);
 }
 
-TEST_F(SharedRoomPlacing, sightings_are_wanted_by_the_owner_only_and_come_in_its_time) {
+TEST_F(SharedRoomPlacing, sightings_reach_the_owner_in_its_time) {
   other.welcome(2, 0);
   wpb::Control request;
   request.mutable_sighting_request()->set_heads(true);
   owner.room.on_room_message(owner.here.joins[1].first, request);
-  ASSERT_FALSE(other.here.said.empty());
-  EXPECT_TRUE(other.here.said.back().second.sighting_request().heads());
+  ASSERT_FALSE(other.here.controls.empty());
+  EXPECT_TRUE(other.here.controls.back().second.sighting_request().heads());
   owner.room.set_clock(kOther, {.at = HostTime(14s), .room_minus_host = -4s, .drift = 0});
   wpb::Control sightings;
   sightings.mutable_sightings()->set_sensor_id(0);
   sightings.mutable_sightings()->add_heads()->set_room_ns(10'000'000'000);
   other.hear(sightings);
-  ASSERT_FALSE(owner.here.said.empty());
-  EXPECT_EQ(owner.here.said.back().second.sightings().heads(0).room_ns(), 14'000'000'000u);
+  ASSERT_FALSE(owner.here.controls.empty());
+  EXPECT_EQ(owner.here.controls.back().second.sightings().heads(0).room_ns(), 14'000'000'000u);
 }
 
-TEST_F(SharedRoomPlacing, a_nudge_goes_to_the_owner_by_the_sensors_name) {
+TEST_F(SharedRoomPlacing, a_nudge_is_sent_to_the_owner_by_sensor_name) {
   other.welcome(2, 0);
   owner.roster({sensor_there(0, "a", wpb::PLACEMENT_UNPLACED),
                 sensor_there(1, "b", wpb::PLACEMENT_UNPLACED)});
@@ -190,8 +190,8 @@ TEST_F(SharedRoomPlacing, a_nudge_goes_to_the_owner_by_the_sensors_name) {
   nudge.mutable_nudge()->set_sensor_id(0);
   for (int i = 0; i < 16; ++i) nudge.mutable_nudge()->add_world_from_depth(i % 5 == 0 ? 1 : 0);
   other.hear(nudge);
-  ASSERT_FALSE(owner.here.said.empty());
-  EXPECT_EQ(owner.here.said.back().second.nudge().sensor_id(), 1u);
+  ASSERT_FALSE(owner.here.controls.empty());
+  EXPECT_EQ(owner.here.controls.back().second.nudge().sensor_id(), 1u);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ TEST(Subjects, a_room_of_any_name_is_one_word_and_is_read_back) {
   }
 }
 
-TEST(Subjects, news_inbox_and_heartbeats_are_told_apart) {
+TEST(Subjects, news_inbox_and_heartbeats_are_distinguished) {
   EXPECT_EQ(read_subject(news_subject("lab"))->room, "lab");
   EXPECT_EQ(read_subject(news_subject("lab"))->subject, Subject::kNews);
   EXPECT_EQ(read_subject(poses_subject("lab"))->room, "lab");
@@ -37,7 +37,7 @@ TEST(Subjects, plain_names_stay_readable_for_permissions) {
   EXPECT_EQ(all_frames_subject("lab"), "roomcast.room.lab.frames.*");
 }
 
-TEST(Subjects, what_is_not_ours_is_nothing) {
+TEST(Subjects, ignores_subjects_of_other_programs) {
   for (const char* subject :
        {"", "roomcast", "roomcast.room", "roomcast.room.lab", "roomcast.room.lab.news.more",
         "roomcast.room.la=b.news", "roomcast.room.la=zz.news", "roomcast.room.lab.frames.",

@@ -17,7 +17,7 @@ struct RecordedRoom final : BackplaneRoom {
   std::vector<ConnectionId> messages, removed;
 };
 
-wire::pb::Control welcome() {
+wire::pb::Control welcome_control() {
   wire::pb::Control control;
   control.mutable_welcome();
   return control;
@@ -27,7 +27,7 @@ TEST(BackplaneConnection, delivers_messages_and_the_removal_to_its_room) {
   RecordedRoom room;
   BackplaneConnection connection(ConnectionId{7}, [&room] { return &room; });
   hub::Connection& client = connection;
-  client.send(welcome());
+  client.send(welcome_control());
   client.disconnect(wire::pb::ERROR_REPLACED, "");
   EXPECT_EQ(room.messages, std::vector{ConnectionId{7}});
   EXPECT_EQ(room.removed, std::vector{ConnectionId{7}});
@@ -36,7 +36,7 @@ TEST(BackplaneConnection, delivers_messages_and_the_removal_to_its_room) {
 TEST(BackplaneConnection, drops_messages_after_its_room_is_closed) {
   BackplaneConnection connection(ConnectionId{7}, [] { return nullptr; });
   hub::Connection& client = connection;
-  client.send(welcome());
+  client.send(welcome_control());
   client.disconnect(wire::pb::ERROR_REPLACED, "");
 }
 

@@ -34,7 +34,7 @@ class ClientsOfHubs : public testing::Test {
       (*socket)->start(client);
       sockets.push_back(*socket);
     });
-    run_until([&] { return !client->heard.empty(); });
+    run_until([&] { return !client->received.empty(); });
     return client;
   }
 
@@ -50,7 +50,7 @@ class ClientsOfHubs : public testing::Test {
     const auto seen = viewer->frames.size();
     boost::asio::steady_timer pace(io);
     std::function<void()> send = [&] {
-      sensor->say(hub::key_frame(seq++));
+      sensor->send(hub::key_frame(seq++));
       sockets.front()->wake();
       pace.expires_after(std::chrono::milliseconds(10));
       pace.async_wait([&](boost::system::error_code error) {
@@ -79,7 +79,7 @@ class ClientsOfHubs : public testing::Test {
   }
 
   /// Closes all clients; otherwise the hubs would wait for the answers to their close frames.
-  void part() {
+  void disconnect_all() {
     for (const auto& socket : sockets) socket->close(net::close_code::kNormal, "left");
     io.run_for(std::chrono::milliseconds(100));
   }

@@ -26,7 +26,7 @@ wpb::SensorRole role_of(const wpb::SensorEntry& entry) {
   return role;
 }
 
-bool is_the_same(const SensorThere& a, const SensorThere& b) {
+bool is_same_sensor(const SensorThere& a, const SensorThere& b) {
   return a.entry.name() == b.entry.name() && a.token_id == b.token_id &&
          role_of(a.entry).SerializeAsString() == role_of(b.entry).SerializeAsString();
 }
@@ -63,22 +63,22 @@ MirroredSensors::MirroredSensors(std::uint64_t other_hub, std::string room, std:
 
 // ---- from the other hub
 
-void MirroredSensors::follow(const std::vector<SensorThere>& online) {
+void MirroredSensors::set_online(const std::vector<SensorThere>& online) {
   deliver_frames();  // they were sent before this list
   std::set<std::uint32_t> ids;
   for (const SensorThere& sensor : online) {
     ids.insert(sensor.entry.id());
-    follow(sensor);
+    update(sensor);
   }
   for (auto sensor = sensors_.begin(); sensor != sensors_.end();) {
     sensor = ids.contains(sensor->first) ? std::next(sensor) : leave(sensor);
   }
 }
 
-void MirroredSensors::follow(const SensorThere& sensor) {
+void MirroredSensors::update(const SensorThere& sensor) {
   const auto known = sensors_.find(sensor.entry.id());
   if (known == sensors_.end()) return join(sensor);
-  if (!is_the_same(known->second.there, sensor)) {
+  if (!is_same_sensor(known->second.there, sensor)) {
     leave(known);
     return join(sensor);
   }
@@ -147,7 +147,7 @@ std::optional<RoomTime> MirroredSensors::time_here(RoomTime there) const {
   return RoomTime(about.time_since_epoch() - clock_->drifted(about - clock_->at));
 }
 
-void MirroredSensors::other_hub_is_gone() {
+void MirroredSensors::on_hub_lost() {
   clock_.reset();
   received_.clear();
   while (!sensors_.empty()) leave(sensors_.begin());

@@ -44,7 +44,7 @@ class MirroredSensors {
 
   // From the other hub.
   /// Sets the sensors online there; those no longer online leave the room here.
-  void follow(const std::vector<SensorThere>& online);
+  void set_online(const std::vector<SensorThere>& online);
   void set_clock(const client::ClockEstimate& estimate) { clock_ = estimate; }
   /// Dropped while the clock offset or the sensor's ID here is unknown, or if it is not a valid
   /// frame.
@@ -54,14 +54,14 @@ class MirroredSensors {
   /// Forwards a message of the sensor with this ID there to the room.
   void forward(std::uint32_t id_there, const wire::pb::Control& message);
   /// Removes all sensors until the hub returns.
-  void other_hub_is_gone();
+  void on_hub_lost();
 
   // From the room here.
   /// A message to one of our connections. Returns the message to send to the other hub, if any.
   std::optional<wire::pb::Control> on_room_message(ConnectionId to,
                                                    const wire::pb::Control& message);
   /// The connection was removed from the room. True: it was one of ours. It rejoins with the next
-  /// follow().
+  /// set_online().
   bool on_removed(ConnectionId connection);
 
   /// By their IDs there.
@@ -74,7 +74,7 @@ class MirroredSensors {
  private:
   using Sensors = std::map<std::uint32_t, MirroredSensor>;
 
-  void follow(const SensorThere& sensor);
+  void update(const SensorThere& sensor);
   void join(const SensorThere& sensor);
   Sensors::iterator leave(Sensors::iterator sensor);
   [[nodiscard]] Sensors::iterator find(ConnectionId connection);

@@ -25,7 +25,7 @@ wpb::ViewerPoses poses_of(std::initializer_list<std::uint32_t> ids) {
   return poses;
 }
 
-TEST(PresenceRelay, are_those_here_and_behind_hubs_here_but_neither_hubs_nor_who_came_from_there) {
+TEST(PresenceRelay, reports_people_here_and_behind_relays_here_only) {
   wpb::Roster roster;
   add(roster, 1);
   add(roster, 2, "hub").set_relays(true);
@@ -41,7 +41,7 @@ TEST(PresenceRelay, are_those_here_and_behind_hubs_here_but_neither_hubs_nor_who
   EXPECT_EQ(people.people().people(1).through(), 0u) << "it means nothing there";
 }
 
-TEST(PresenceRelay, are_no_news_in_another_order) {
+TEST(PresenceRelay, another_order_is_no_change) {
   wpb::Roster one, other;
   add(one, 1), add(one, 2);
   add(other, 2), add(other, 1);
@@ -50,7 +50,7 @@ TEST(PresenceRelay, are_no_news_in_another_order) {
   EXPECT_FALSE(people.take(other));
 }
 
-TEST(PresenceRelay, the_newest_pose_of_each_is_kept_while_they_are_there) {
+TEST(PresenceRelay, keeps_the_newest_pose_of_each_person) {
   wpb::Roster roster;
   add(roster, 1), add(roster, 2);
   PresenceRelay people;
@@ -62,7 +62,7 @@ TEST(PresenceRelay, the_newest_pose_of_each_is_kept_while_they_are_there) {
   EXPECT_EQ(people.newest_poses().poses_size(), 0);
 }
 
-TEST(PresenceRelay, are_bounded_in_number) {
+TEST(PresenceRelay, limits_the_number_of_people) {
   wpb::Roster roster;
   for (int i = 0; i <= wire::kMaxPeopleHere; ++i) add(roster, static_cast<unsigned>(i + 1));
   PresenceRelay people;
@@ -70,7 +70,7 @@ TEST(PresenceRelay, are_bounded_in_number) {
   EXPECT_EQ(people.people().people_size(), wire::kMaxPeopleHere);
 }
 
-TEST(PeopleThere, are_all_but_us_who_is_behind_us_and_hubs) {
+TEST(PeopleThere, exclude_us_people_behind_us_and_hubs) {
   wpb::Roster roster;
   add(roster, 1);
   add(roster, 2, "us");

@@ -26,11 +26,11 @@ struct RoomHere final : hub::BackplaneEvents {
     arrivals.push_back(arrival);
   }
   void on_control(ConnectionId from, const wire::pb::Control& message) override {
-    said.emplace_back(from, message);
+    controls.emplace_back(from, message);
   }
   void on_frame(ConnectionId from, const wire::FrameHeader& header,
                 net::MessageBuffer message) override {
-    EXPECT_EQ(*wire::parse_frame(message.payload()), header) << "the bytes say the same";
+    EXPECT_EQ(*wire::parse_frame(message.payload()), header) << "the bytes have the same header";
     frames.emplace_back(from, header);
   }
   void on_frames(std::span<hub::IncomingFrame> together) override {
@@ -44,7 +44,7 @@ struct RoomHere final : hub::BackplaneEvents {
 
   std::vector<std::pair<ConnectionId, wire::pb::Join>> joins;
   std::vector<hub::ConnectionInfo> arrivals;
-  std::vector<std::pair<ConnectionId, wire::pb::Control>> said;
+  std::vector<std::pair<ConnectionId, wire::pb::Control>> controls;
   std::vector<std::pair<ConnectionId, wire::FrameHeader>> frames;
   std::vector<std::size_t> batches;  // number of frames of each on_frames()
   std::vector<SensorId> key_needs;

@@ -11,7 +11,7 @@ namespace roomcast::hub::federation {
 class ShownPresence {
  public:
   /// The message that reports these people to the room; nothing if it has them already.
-  [[nodiscard]] std::optional<wire::pb::Control> news(const wire::pb::PeopleHere& people) {
+  [[nodiscard]] std::optional<wire::pb::Control> update(const wire::pb::PeopleHere& people) {
     if (people.SerializeAsString() == shown_.SerializeAsString()) return std::nullopt;
     shown_ = people;
     wire::pb::Control control;

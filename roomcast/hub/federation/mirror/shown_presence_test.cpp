@@ -6,18 +6,18 @@
 namespace roomcast::hub::federation {
 namespace {
 
-TEST(ShownPresence, are_told_once_and_again_when_they_were_forgotten) {
+TEST(ShownPresence, are_reported_once_and_again_after_forget) {
   ShownPresence shown;
   wire::pb::PeopleHere people;
-  EXPECT_FALSE(shown.news(people)) << "nobody is there, and the room knows of nobody";
+  EXPECT_FALSE(shown.update(people)) << "there are no people, and the room has none";
   people.add_people()->set_id(7);
-  const auto first = shown.news(people);
+  const auto first = shown.update(people);
   ASSERT_TRUE(first);
   EXPECT_EQ(first->people_here().people(0).id(), 7u);
-  EXPECT_FALSE(shown.news(people));
+  EXPECT_FALSE(shown.update(people));
   shown.forget();
-  EXPECT_TRUE(shown.news(people));
-  EXPECT_TRUE(shown.news({})) << "they are gone";
+  EXPECT_TRUE(shown.update(people));
+  EXPECT_TRUE(shown.update({})) << "they have left";
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 namespace asio = boost::asio;
 
-constexpr std::chrono::milliseconds kTryAgainAfter{500};
+constexpr std::chrono::milliseconds kRetryAfter{500};
 /// A server silent for kPingAfter is pinged every kPingEvery, and abandoned after kTimeout.
 /// With another hub in the cluster its heartbeats are more frequent, so no ping is needed.
 constexpr std::chrono::milliseconds kPingAfter{200}, kPingEvery{50}, kTimeout{400};
@@ -41,8 +41,8 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
       : options_(std::move(options)),
         io_(io),
         handlers_(std::move(handlers)),
-        again_(io),
-        watch_(io) {}
+        retry_timer_(io),
+        silence_timer_(io) {}
 
   Status connect_first() {
     asio::io_context alone;
@@ -58,20 +58,20 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
     begin(std::move(connection));
     return {};
   }
-  void start() { look_later(); }
+  void start() { schedule_check(); }
   void stop() {
     is_stopped_ = true;
-    again_.cancel();
-    watch_.cancel();
+    retry_timer_.cancel();
+    silence_timer_.cancel();
     if (connecting_) connecting_->cancel();
     if (session_) session_->stop();
   }
 
-  void connect_again_later() {
-    again_.expires_after(kTryAgainAfter);
-    again_.async_wait([weak = weak_from_this()](boost::system::error_code error) {
+  void reconnect_later() {
+    retry_timer_.expires_after(kRetryAfter);
+    retry_timer_.async_wait([weak = weak_from_this()](boost::system::error_code error) {
       const auto self = weak.lock();
-      if (self && !error) self->connect_again();
+      if (self && !error) self->reconnect();
     });
   }
 
@@ -109,14 +109,14 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
     last_logged_.clear();
     session_ = std::make_shared<NatsSession>(std::move(connection));
     server_ = session_->server();
-    begun_ = clock_.now();
+    started_ = clock_.now();
     session_->start({.on_message = [this](auto subject, auto message) { take(subject, message); },
-                     .on_gone = [this] { gone(); }});
+                     .on_lost = [this] { on_lost(); }});
     for (const std::string& subject : subjects_) session_->subscribe(subject);
     for (const auto& [subject, message] : kept_) send(subject, message);
     kept_.clear();
     kept_bytes_ = 0;
-    log(LogLevel::kInfo, "is connected to " + server_);
+    log(LogLevel::kInfo, "connected to " + server_);
     asio::post(io_, [weak = weak_from_this()] {
       const auto self = weak.lock();
       if (self && !self->is_stopped_) self->handlers_.on_connected();
@@ -141,49 +141,49 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
     handlers_.on_message(subject, message);
   }
 
-  void gone() {
+  void on_lost() {
     log(LogLevel::kWarning, "NATS at " + server_ + " is gone");
     session_ = nullptr;
-    const bool did_it_last = clock_.now() - begun_ >= kTryAgainAfter;
-    if (!did_it_last) return connect_again_later();  // no retries without a pause
-    connect_again();
+    const bool has_lasted = clock_.now() - started_ >= kRetryAfter;
+    if (!has_lasted) return reconnect_later();  // no retries without a pause
+    reconnect();
   }
 
-  void connect_again() {
+  void reconnect() {
     connecting_ =
         log_in_to_nats(io_, from_next(options_, server_),
-                       [this](Result<NatsConnection> made) { connected(std::move(made)); });
+                       [this](Result<NatsConnection> made) { on_login(std::move(made)); });
   }
 
-  void connected(Result<NatsConnection> made) {
+  void on_login(Result<NatsConnection> made) {
     if (made) return begin(*std::move(made));
     const std::string& why = made.error().message;
     if (std::exchange(last_logged_, why) != why) log(LogLevel::kWarning, why);
-    connect_again_later();
+    reconnect_later();
   }
 
-  void look_later() {
+  void schedule_check() {
     const HostTime now = clock_.now();
-    const HostTime silent_since = session_ ? session_->last_heard() : now;
+    const HostTime silent_since = session_ ? session_->last_received() : now;
     const HostTime due = std::max<HostTime>(silent_since + kPingAfter, now + kPingEvery);
-    watch_.expires_after(due - now);
-    watch_.async_wait([weak = weak_from_this(), due](boost::system::error_code error) {
+    silence_timer_.expires_after(due - now);
+    silence_timer_.async_wait([weak = weak_from_this(), due](boost::system::error_code error) {
       const auto self = weak.lock();
       if (!self || error) return;
-      self->look(due);
-      self->look_later();
+      self->check_silence(due);
+      self->schedule_check();
     });
   }
 
   /// A late check gives no verdict: this program may have been kept from reading the server's
   /// messages.
-  void look(HostTime due) {
+  void check_silence(HostTime due) {
     if (!session_) return;
     const HostTime now = clock_.now();
-    const nanoseconds silent = now - session_->last_heard();
+    const nanoseconds silent = now - session_->last_received();
     const bool is_on_time = now - due < kPingEvery;
     if (silent > kTimeout && is_on_time) return session_->abort();
-    if (silent >= kPingAfter) session_->ask();
+    if (silent >= kPingAfter) session_->ping();
   }
 
   const NatsOptions options_;
@@ -192,14 +192,14 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   SteadyClock clock_;
   std::shared_ptr<NatsSession> session_;  // null while there is none
   std::string server_;                    // server of the newest session...
-  HostTime begun_{};                      // ...and its start
+  HostTime started_{};                    // ...and its start
   std::vector<std::string> subjects_;
   std::vector<std::pair<std::string, std::vector<std::uint8_t>>> kept_;
   std::size_t kept_bytes_ = 0;
   NatsStats stats_;  // except is_connected
   std::string last_logged_;
   bool is_stopped_ = false;
-  asio::steady_timer again_, watch_;
+  asio::steady_timer retry_timer_, silence_timer_;
   std::shared_ptr<NatsLoginAttempt> connecting_;
 };
 
@@ -209,8 +209,8 @@ Result<std::unique_ptr<NatsClient>> NatsClient::open(NatsOptions options, asio::
   auto link = std::make_shared<Link>(std::move(options), io, std::move(handlers));
   if (auto status = link->connect_first(); !status) {
     if (status.error().code != ErrorCode::kUnavailable) return status.error();
-    link->log(LogLevel::kWarning, status.error().message + "; goes on trying");
-    link->connect_again_later();
+    link->log(LogLevel::kWarning, status.error().message + "; retrying");
+    link->reconnect_later();
   }
   link->start();
   return std::unique_ptr<NatsClient>(new NatsClient(std::move(link)));

@@ -33,8 +33,8 @@ class NatsClientTest : public testing::Test {
     return NatsClient::open(options, io,
                             {.on_message =
                                  [this](std::string_view subject, auto message) {
-                                   heard.push_back(std::string(subject) + " " +
-                                                   std::string(message.begin(), message.end()));
+                                   received.push_back(std::string(subject) + " " +
+                                                      std::string(message.begin(), message.end()));
                                  },
                              .on_connected = [this] { ++connected; },
                              .log = {}});
@@ -49,41 +49,41 @@ class NatsClientTest : public testing::Test {
   }
   /// Repeats the message until it is received: a subscription takes effect with a delay.
   void say_until_heard(NatsClient& speaker, const std::string& subject) {
-    heard.clear();
+    received.clear();
     boost::asio::steady_timer pace(io);
-    std::function<void()> say = [&] {
+    std::function<void()> publish_next = [&] {
       speaker.publish(subject, bytes("hello"));
       pace.expires_after(10ms);
       pace.async_wait([&](auto error) {
-        if (!error) say();
+        if (!error) publish_next();
       });
     };
-    say();
-    run_until([&] { return !heard.empty(); });
+    publish_next();
+    run_until([&] { return !received.empty(); });
     pace.cancel();
     io.poll();
   }
 
   boost::asio::io_context io;
-  std::vector<std::string> heard;
+  std::vector<std::string> received;
   int connected = 0;
 };
 
-TEST_F(NatsClientTest, what_one_says_on_a_subject_who_subscribed_hears_in_order) {
+TEST_F(NatsClientTest, subscribers_receive_messages_in_order) {
   const NatsServer server;
   const auto speaker = *open({.servers = {server.url()}});
   const auto listener = *open({.servers = {server.url()}});
   listener->subscribe("a.*");
   listener->subscribe("b");
   say_until_heard(*speaker, "b");
-  heard.clear();
+  received.clear();
   for (int i = 0; i < 50; ++i) {
     speaker->publish(i % 2 == 0 ? "a.x" : "b", bytes(std::to_string(i)));
-    speaker->publish("c", bytes("nobody listens"));
+    speaker->publish("c", bytes("without subscriber"));
   }
   const auto heard_on = [&](char subject) {
     std::vector<std::string> numbers;
-    for (const std::string& line : heard) {
+    for (const std::string& line : received) {
       const std::string number = line.substr(line.find(' ') + 1);
       if (line[0] == subject && number != "hello") numbers.push_back(number);
     }
@@ -96,7 +96,7 @@ TEST_F(NatsClientTest, what_one_says_on_a_subject_who_subscribed_hears_in_order)
   }
 }
 
-TEST_F(NatsClientTest, a_server_that_comes_later_is_found) {
+TEST_F(NatsClientTest, connects_to_a_server_that_starts_later) {
   std::string port;
   { port = NatsServer().port(); }
   const auto speaker = *open({.servers = {"nats://127.0.0.1:" + port}});
@@ -107,7 +107,7 @@ TEST_F(NatsClientTest, a_server_that_comes_later_is_found) {
   say_until_heard(*speaker, "a");
 }
 
-TEST_F(NatsClientTest, when_a_server_is_gone_the_next_one_is_taken) {
+TEST_F(NatsClientTest, connects_to_the_next_server_when_one_is_gone) {
   auto first = std::make_unique<NatsServer>();
   const NatsServer second;
   const auto speaker = *open({.servers = {second.url()}});
@@ -119,7 +119,7 @@ TEST_F(NatsClientTest, when_a_server_is_gone_the_next_one_is_taken) {
   say_until_heard(*speaker, "a");
 }
 
-TEST_F(NatsClientTest, a_server_that_hangs_is_given_up_and_one_that_has_nothing_to_say_is_not) {
+TEST_F(NatsClientTest, leaves_a_hanging_server_and_keeps_an_idle_one) {
   const NatsServer first, second;
   const auto quiet = *open({.servers = {second.url(), first.url()}});
   const auto client = *open({.servers = {first.url(), second.url()}});
@@ -154,9 +154,9 @@ class RevolvingDoor {
     acceptor_.async_accept([this](auto error, Tcp::socket client) {
       if (error) return;
       boost::system::error_code ignored;
-      std::string heard;
+      std::string received;
       boost::asio::write(client, boost::asio::buffer(std::string("INFO {}\r\n")), ignored);
-      boost::asio::read_until(client, boost::asio::dynamic_buffer(heard), "PING\r\n", ignored);
+      boost::asio::read_until(client, boost::asio::dynamic_buffer(received), "PING\r\n", ignored);
       boost::asio::write(client, boost::asio::buffer(std::string("PONG\r\n")), ignored);
       ++let_out;
       let_in();
@@ -168,7 +168,7 @@ class RevolvingDoor {
   std::thread thread_;
 };
 
-TEST_F(NatsClientTest, who_is_let_in_and_out_again_pauses_before_the_next_time) {
+TEST_F(NatsClientTest, waits_before_reconnecting_after_an_early_disconnect) {
   RevolvingDoor door;
   const auto client = *open({.servers = {door.url()}});
   auto work = boost::asio::make_work_guard(io);
@@ -177,13 +177,13 @@ TEST_F(NatsClientTest, who_is_let_in_and_out_again_pauses_before_the_next_time) 
   EXPECT_LE(door.let_out, 3);
 }
 
-TEST_F(NatsClientTest, it_knows_how_long_a_message_may_be) {
+TEST_F(NatsClientTest, knows_the_servers_message_limit) {
   const NatsServer server("max_payload: 100KB\n");
   const auto client = *open({.servers = {server.url()}});
   EXPECT_EQ(client->max_message_bytes(), 100u * 1024);
 }
 
-TEST_F(NatsClientTest, who_has_no_password_or_a_wrong_one_is_told_so) {
+TEST_F(NatsClientTest, reports_a_missing_or_wrong_password) {
   const NatsServer server("authorization { user: hub, password: right }\n");
   for (const std::string secret : {"", "hub:wrong@"}) {
     const auto refused = open({.servers = {"nats://" + secret + server.url().substr(7)}});

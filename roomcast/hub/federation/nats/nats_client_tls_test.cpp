@@ -81,7 +81,7 @@ class NatsClientTlsTest : public testing::Test {
   std::chrono::steady_clock::time_point last_tick;
 };
 
-TEST_F(NatsClientTlsTest, messages_come_and_go) {
+TEST_F(NatsClientTlsTest, messages_are_sent_and_received) {
   const NatsServer server(encrypted());
   const auto speaker = open(options({server.port()})), listener = open(options({server.port()}));
   listener->subscribe("a");
@@ -90,7 +90,7 @@ TEST_F(NatsClientTlsTest, messages_come_and_go) {
   EXPECT_EQ(listener->max_message_bytes(), 1u << 20);
 }
 
-TEST_F(NatsClientTlsTest, a_server_that_stalls_in_the_middle_of_a_record_keeps_nobody_waiting) {
+TEST_F(NatsClientTlsTest, a_server_that_stalls_within_a_record_blocks_no_call) {
   const NatsServer server(encrypted());
   StallingRelay relay(server.port());
   const auto speaker = open(options({server.port()}));
@@ -103,7 +103,7 @@ TEST_F(NatsClientTlsTest, a_server_that_stalls_in_the_middle_of_a_record_keeps_n
   EXPECT_LT(longest_wait, kLongestWait) << "and it goes on at the next server";
 }
 
-TEST_F(NatsClientTlsTest, a_server_that_takes_nothing_more_keeps_nobody_waiting) {
+TEST_F(NatsClientTlsTest, a_server_that_stops_reading_blocks_no_call) {
   const NatsServer server(encrypted());
   StallingRelay relay(server.port());
   const auto client = open(options({relay.port(), server.port()}));
@@ -114,7 +114,7 @@ TEST_F(NatsClientTlsTest, a_server_that_takes_nothing_more_keeps_nobody_waiting)
   EXPECT_LT(longest_wait, kLongestWait);
 }
 
-TEST_F(NatsClientTlsTest, a_server_that_stalls_keeps_nobody_from_stopping) {
+TEST_F(NatsClientTlsTest, a_stalling_server_does_not_delay_the_destructor) {
   const NatsServer server(encrypted());
   StallingRelay relay(server.port());
   auto listener = open(options({relay.port()}));

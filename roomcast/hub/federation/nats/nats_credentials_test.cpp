@@ -24,7 +24,7 @@ std::string credentials(const std::string& jwt, const std::string& seed) {
          seed + "\r\n------END USER NKEY SEED------\n";
 }
 
-TEST(NatsCredentials, signs_as_who_holds_the_key) {
+TEST(NatsCredentials, signs_with_its_key) {
   const auto own = NatsCredentials::parse(credentials("e30.e30.c2ln", kSeed));
   ASSERT_TRUE(own);
   EXPECT_EQ(own->user_jwt(), "e30.e30.c2ln");
@@ -33,7 +33,7 @@ TEST(NatsCredentials, signs_as_who_holds_the_key) {
             "vbadoIWsHkPhWZbkWPNhPQ8R2MOHsurrQwKu6wDSkWErsMAA");
 }
 
-TEST(NatsCredentials, what_is_damaged_or_of_somebody_else_is_refused) {
+TEST(NatsCredentials, refuses_damaged_and_foreign_credentials) {
   std::string damaged = kSeed;
   damaged[20] = damaged[20] == 'A' ? 'B' : 'A';
   for (const std::string& text :
@@ -47,7 +47,7 @@ TEST(NatsCredentials, what_is_damaged_or_of_somebody_else_is_refused) {
   }
 }
 
-TEST(NatsCredentials, a_file_that_is_of_no_use_is_named) {
+TEST(NatsCredentials, errors_name_the_file) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "hub.creds").string();
   EXPECT_EQ(NatsCredentials::load(file).error().code, ErrorCode::kNotFound);

@@ -174,7 +174,7 @@ void Attempt::take_events() {
 
 /// False: reading is to stop for now.
 bool Attempt::take(const NatsEvent& event) {
-  if (const auto* complaint = std::get_if<NatsComplaint>(&event)) {
+  if (const auto* complaint = std::get_if<NatsServerError>(&event)) {
     fail(is_about_identity(complaint->text) ? NatsFault::kRefused : NatsFault::kRejected);
     return false;
   }

@@ -29,7 +29,7 @@ class Answerer {
       if (error) return;
       asio::write(socket_, asio::buffer(greeting_), ignored_);
       socket_.async_read_some(asio::buffer(heard_), [this](auto end, std::size_t size) {
-        heard.assign(heard_.data(), end ? 0 : size);
+        received.assign(heard_.data(), end ? 0 : size);
         asio::write(socket_, asio::buffer(answer_), ignored_);
       });
     });
@@ -38,7 +38,7 @@ class Answerer {
     return "nats://127.0.0.1:" + std::to_string(acceptor_.local_endpoint().port());
   }
 
-  std::string heard;
+  std::string received;
 
  private:
   Tcp::acceptor acceptor_;
@@ -55,7 +55,7 @@ class NatsLoginTest : public testing::Test {
   Result<NatsConnection> log_in(NatsOptions options) {
     std::optional<Result<NatsConnection>> made;
     log_in_to_nats(io, std::move(options), [&](auto result) { made = std::move(result); });
-    EXPECT_FALSE(made) << "never from within";
+    EXPECT_FALSE(made) << "never from within log_in_to_nats()";
     auto work = asio::make_work_guard(io);
     const auto give_up = std::chrono::steady_clock::now() + 5s;
     while (!made && io.run_one_until(give_up) > 0) {
@@ -67,65 +67,67 @@ class NatsLoginTest : public testing::Test {
   asio::io_context io;
 };
 
-TEST_F(NatsLoginTest, what_comes_behind_the_welcome_is_not_lost) {
+TEST_F(NatsLoginTest, keeps_bytes_after_the_login) {
   Answerer server(io, kInfo, "+OK\r\nPONG\r\nPING\r\nMS");
   auto made = log_in({.servers = {server.url()}});
   ASSERT_TRUE(made) << made.error().message;
   EXPECT_EQ(std::string(made->received.begin(), made->received.end()), "PING\r\nMS");
   EXPECT_EQ(made->info.max_message_bytes, 1000u);
-  EXPECT_TRUE(server.heard.starts_with("CONNECT {") && server.heard.ends_with("}\r\nPING\r\n"));
+  EXPECT_TRUE(server.received.starts_with("CONNECT {") &&
+              server.received.ends_with("}\r\nPING\r\n"));
 }
 
-TEST_F(NatsLoginTest, the_first_server_that_answers_is_taken) {
+TEST_F(NatsLoginTest, uses_the_first_server_that_answers) {
   Answerer silent(io, "", ""), speaks(io, kInfo, "PONG\r\n"), not_asked(io, kInfo, "PONG\r\n");
-  const std::string nobody = Answerer(io, "", "").url();
-  auto made = log_in({.servers = {nobody, silent.url(), speaks.url(), not_asked.url()}});
+  const std::string closed_port = Answerer(io, "", "").url();
+  auto made = log_in({.servers = {closed_port, silent.url(), speaks.url(), not_asked.url()}});
   ASSERT_TRUE(made) << made.error().message;
   EXPECT_EQ(made->server, speaks.url());
-  EXPECT_TRUE(not_asked.heard.empty());
+  EXPECT_TRUE(not_asked.received.empty());
 }
 
-TEST_F(NatsLoginTest, where_nobody_answers_all_are_named_and_no_password) {
+TEST_F(NatsLoginTest, names_all_silent_servers_without_passwords) {
   Answerer silent(io, "INFO {", "");
-  const std::string nobody = Answerer(io, "", "").url();
-  const auto made = log_in({.servers = {silent.url(), "nats://u:secret@" + nobody.substr(7)}});
+  const std::string closed_port = Answerer(io, "", "").url();
+  const auto made = log_in({.servers = {silent.url(), "nats://u:secret@" + closed_port.substr(7)}});
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, ErrorCode::kUnavailable);
-  EXPECT_EQ(made.error().message, "no NATS server answers at " + silent.url() + ", " + nobody);
+  EXPECT_EQ(made.error().message, "no NATS server answers at " + silent.url() + ", " + closed_port);
 }
 
-TEST_F(NatsLoginTest, who_is_no_nats_server_is_told_from_one_that_refuses) {
-  const auto told = [this](const char* greeting, const char* answer) {
+TEST_F(NatsLoginTest, distinguishes_other_servers_from_a_refusal) {
+  const auto error_of = [this](const char* greeting, const char* answer) {
     Answerer server(io, greeting, answer);
     const auto made = log_in({.servers = {server.url()}});
     return made ? "" : made.error().message;
   };
-  EXPECT_NE(told("HTTP/1.1 400 Bad Request\r\n", "").find("is no NATS server"), std::string::npos);
-  EXPECT_NE(told("INFO nothing\r\n", "").find("is no NATS server"), std::string::npos);
-  EXPECT_NE(told(kInfo, "-ERR 'Authorization Violation'\r\n").find("refuses this hub"),
+  EXPECT_NE(error_of("HTTP/1.1 400 Bad Request\r\n", "").find("is no NATS server"),
             std::string::npos);
-  EXPECT_NE(told(kInfo, "-ERR 'maximum connections exceeded'\r\n").find("does not take this hub"),
+  EXPECT_NE(error_of("INFO nothing\r\n", "").find("is no NATS server"), std::string::npos);
+  EXPECT_NE(error_of(kInfo, "-ERR 'Authorization Violation'\r\n").find("refuses this hub"),
+            std::string::npos);
+  EXPECT_NE(error_of(kInfo, "-ERR 'maximum connections exceeded'\r\n").find("rejects this hub"),
             std::string::npos);
 }
 
-TEST_F(NatsLoginTest, a_refusal_is_told_where_no_other_server_takes_us) {
+TEST_F(NatsLoginTest, reports_a_refusal_if_no_other_server_accepts) {
   Answerer refuses(io, kInfo, "-ERR 'Authorization Violation'\r\n");
-  const std::string nobody = Answerer(io, "", "").url();
-  const auto made = log_in({.servers = {refuses.url(), nobody}});
+  const std::string closed_port = Answerer(io, "", "").url();
+  const auto made = log_in({.servers = {refuses.url(), closed_port}});
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, ErrorCode::kClosed);
 }
 
-TEST_F(NatsLoginTest, who_is_to_encrypt_and_does_not_learns_nothing) {
+TEST_F(NatsLoginTest, sends_no_credentials_without_encryption) {
   Answerer server(io, kInfo, "PONG\r\n");
   const auto made = log_in({.servers = {"tls" + server.url().substr(4)}});
   ASSERT_FALSE(made);
   EXPECT_NE(made.error().message.find("offers no TLS"), std::string::npos);
   io.run_for(1ms);
-  EXPECT_TRUE(server.heard.empty());
+  EXPECT_TRUE(server.received.empty());
 }
 
-TEST_F(NatsLoginTest, who_gives_up_hears_no_more) {
+TEST_F(NatsLoginTest, a_cancelled_login_calls_no_handler) {
   Answerer server(io, kInfo, "PONG\r\n");
   bool called = false;
   const auto attempt =

@@ -12,7 +12,7 @@ namespace {
 
 Status check_file(const std::string& file) {
   if (file.empty() || std::ifstream(file).good()) return {};
-  return Error{ErrorCode::kNotFound, "cannot read " + file + ", which NATS is to be reached with"};
+  return Error{ErrorCode::kNotFound, "cannot read " + file + ", a file for the connection to NATS"};
 }
 
 /// Removes "user:password@" from the front.
@@ -69,7 +69,7 @@ Status check(const NatsOptions& options) {
   }
   if (options.cert_file.empty() != options.key_file.empty()) {
     return invalid_argument(
-        "a certificate for NATS and its key go together: --nats-cert and --nats-key");
+        "a certificate for NATS needs its key: give both --nats-cert and --nats-key");
   }
   for (const auto* file :
        {&options.credentials_file, &options.ca_file, &options.cert_file, &options.key_file}) {
@@ -91,8 +91,7 @@ Error connect_error(NatsFault fault, const std::string& server, const NatsOption
     case NatsFault::kNoAnswer:
       return {ErrorCode::kUnavailable, "no NATS server answers at " + without_secret(server)};
     case NatsFault::kNotNats:
-      return {ErrorCode::kClosed,
-              "who answers at " + without_secret(server) + " is no NATS server"};
+      return {ErrorCode::kClosed, "the server at " + without_secret(server) + " is no NATS server"};
     case NatsFault::kRefused:
       if (!options.credentials_file.empty()) {
         return {ErrorCode::kClosed,
@@ -102,12 +101,12 @@ Error connect_error(NatsFault fault, const std::string& server, const NatsOption
                                       " refuses this hub; name its credentials with "
                                       "--nats-credentials, or put user:password@ before the host"};
     case NatsFault::kRejected:
-      return {ErrorCode::kClosed, where + " does not take this hub"};
+      return {ErrorCode::kClosed, where + " rejects this hub"};
     case NatsFault::kNotTrusted:
-      return {ErrorCode::kClosed,
-              "no encrypted connection to " + where +
-                  ": its certificate is not trusted, or it asks for one of ours; see --nats-ca, "
-                  "--nats-cert and --nats-key"};
+      return {ErrorCode::kClosed, "no encrypted connection to " + where +
+                                      ": its certificate is not trusted, or it requires a client "
+                                      "certificate; see --nats-ca, "
+                                      "--nats-cert and --nats-key"};
     case NatsFault::kOffersNoTls:
       return {ErrorCode::kClosed,
               where + " offers no TLS; what is sent there could be read by others"};

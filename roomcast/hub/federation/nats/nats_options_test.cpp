@@ -10,12 +10,12 @@
 namespace roomcast::hub::federation {
 namespace {
 
-TEST(NatsOptions, addresses_of_nats_are_taken) {
+TEST(NatsOptions, accepts_nats_addresses) {
   EXPECT_TRUE(
       check({.servers = {"nats://a:4222", "tls://b.example.org", "nats://u:p@[::1]:4222"}}));
 }
 
-TEST(NatsOptions, an_address_says_where_and_who) {
+TEST(NatsOptions, an_address_has_server_and_user) {
   const auto address = parse_nats_address("tls://u:p:q@[::1]:4000");
   ASSERT_TRUE(address);
   EXPECT_EQ(address->host, "::1");
@@ -31,7 +31,7 @@ TEST(NatsOptions, an_address_says_where_and_who) {
   EXPECT_EQ(with_token->identity.token, "secret");
 }
 
-TEST(NatsOptions, what_is_no_address_is_refused_without_telling_a_password) {
+TEST(NatsOptions, refuses_other_addresses_without_showing_a_password) {
   for (const char* server : {"", "a:4222", "http://a:4222", "nats://", "nats://a b",
                              "nats://u:secret@", "nats://a:99999", "nats://a/b", "nats://a:1#b"}) {
     const auto status = check({.servers = {"nats://a", server}});
@@ -42,7 +42,7 @@ TEST(NatsOptions, what_is_no_address_is_refused_without_telling_a_password) {
   EXPECT_FALSE(check({}));
 }
 
-TEST(NatsOptions, files_must_be_there_and_a_certificate_has_a_key) {
+TEST(NatsOptions, needs_existing_files_and_a_key_for_a_certificate) {
   const auto missing = check({.servers = {"nats://a"}, .credentials_file = "/no/such/file"});
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::kNotFound);
@@ -55,7 +55,7 @@ TEST(NatsOptions, secrets_are_not_shown) {
   EXPECT_EQ(without_secret("nats://a:4222"), "nats://a:4222");
 }
 
-TEST(NatsOptions, each_refusal_is_one_sentence_that_says_what_to_do) {
+TEST(NatsOptions, each_refusal_is_one_sentence_with_a_remedy) {
   const std::string server = "nats://u:secret@a:4222";
   const NatsOptions plain{.servers = {server}};
   NatsOptions with_file = plain;

@@ -77,7 +77,7 @@ NatsEvent read_line(std::string_view verb, std::string_view rest) {
   if (is_verb(verb, "PONG")) return NatsPong{};
   if (is_verb(verb, "+OK")) return NatsOk{};
   if (is_verb(verb, "INFO")) return NatsInfo{rest};
-  if (is_verb(verb, "-ERR")) return NatsComplaint{without_quotes(rest)};
+  if (is_verb(verb, "-ERR")) return NatsServerError{without_quotes(rest)};
   return NatsViolation{};
 }
 

@@ -33,13 +33,13 @@ struct NatsPing {};
 struct NatsPong {};
 struct NatsOk {};
 /// An error (-ERR). The server usually disconnects afterwards.
-struct NatsComplaint {
+struct NatsServerError {
   std::string_view text;
 };
 /// A protocol violation; nothing more can be read.
 struct NatsViolation {};
 using NatsEvent = std::variant<NatsNeedsMore, NatsInfo, NatsMessage, NatsPing, NatsPong, NatsOk,
-                               NatsComplaint, NatsViolation>;
+                               NatsServerError, NatsViolation>;
 
 /// The next event, removed from the front of `bytes`. NatsNeedsMore and NatsViolation remove
 /// nothing.

@@ -16,12 +16,12 @@ std::string text(std::span<const std::uint8_t> bytes) {
 }
 
 template <class Event>
-bool is_first(std::string_view said) {
-  auto rest = bytes(said);
+bool is_first(std::string_view line) {
+  auto rest = bytes(line);
   return std::holds_alternative<Event>(next_nats_event(rest));
 }
 
-TEST(NatsProtocol, messages_are_taken_off_the_front_one_by_one) {
+TEST(NatsProtocol, reads_messages_one_by_one) {
   auto rest = bytes("MSG a.b 7 5\r\nhello\r\nMSG c 18446744073709551615 me 2\r\n\r\n\r\nPI");
   const auto first = std::get<NatsMessage>(next_nats_event(rest));
   EXPECT_EQ(first.subject, "a.b");
@@ -35,7 +35,7 @@ TEST(NatsProtocol, messages_are_taken_off_the_front_one_by_one) {
   EXPECT_EQ(text(rest), "PI");
 }
 
-TEST(NatsProtocol, what_has_not_come_whole_is_left) {
+TEST(NatsProtocol, waits_for_the_rest_of_a_message) {
   const std::string whole = "MSG a.b 7 5\r\nhello\r\n";
   for (std::size_t size = 0; size < whole.size(); ++size) {
     auto rest = bytes(std::string_view(whole).substr(0, size));
@@ -44,33 +44,33 @@ TEST(NatsProtocol, what_has_not_come_whole_is_left) {
   }
 }
 
-TEST(NatsProtocol, whatever_else_a_server_says_is_one_line) {
+TEST(NatsProtocol, other_server_messages_are_one_line) {
   EXPECT_TRUE(is_first<NatsPing>("PING\r\n"));
   EXPECT_TRUE(is_first<NatsPong>("pong\r\n")) << "in any case, as the protocol has it";
   EXPECT_TRUE(is_first<NatsOk>("+OK\r\n"));
   auto rest = bytes("-ERR 'Authorization Violation'\r\nINFO {\"a\": 1} \r\n");
-  EXPECT_EQ(std::get<NatsComplaint>(next_nats_event(rest)).text, "Authorization Violation");
+  EXPECT_EQ(std::get<NatsServerError>(next_nats_event(rest)).text, "Authorization Violation");
   EXPECT_EQ(std::get<NatsInfo>(next_nats_event(rest)).json, "{\"a\": 1} ");
   EXPECT_TRUE(rest.empty());
 }
 
-TEST(NatsProtocol, what_is_none_of_this_is_a_violation) {
-  for (const char* said :
+TEST(NatsProtocol, an_unknown_line_is_a_violation) {
+  for (const char* line :
        {"\r\n", "HTTP/1.1 400 Bad Request\r\n", "MSG\r\n", "MSG a 1\r\n", "MSG a b 1\r\n",
         "MSG a 1 -1\r\n", "MSG a 1 5x\r\n", "MSG a 1 b 5 6\r\n", "MSG a 1 99999999999999999999\r\n",
         "MSG a 1 5\r\nhello, you\r\n", "HMSG a 1 12 17\r\nNATS/1.0\r\n\r\nhello\r\n"}) {
-    EXPECT_TRUE(is_first<NatsViolation>(said)) << said;
+    EXPECT_TRUE(is_first<NatsViolation>(line)) << line;
   }
 }
 
-TEST(NatsProtocol, what_is_too_long_is_refused_before_it_has_come) {
+TEST(NatsProtocol, refuses_a_long_message_before_it_is_complete) {
   const auto line = "MSG a 1 " + std::to_string(kMaxNatsMessageBytes + 1) + "\r\n";
   EXPECT_TRUE(is_first<NatsViolation>(line));
   EXPECT_TRUE(is_first<NatsNeedsMore>(std::string(kMaxNatsLineBytes - 1, 'x')));
   EXPECT_TRUE(is_first<NatsViolation>(std::string(kMaxNatsLineBytes, 'x')));
 }
 
-TEST(NatsProtocol, a_server_says_what_it_takes_and_asks_for) {
+TEST(NatsProtocol, reads_the_info_of_a_server) {
   const auto info = read_server_info(
       R"({"max_payload": 2000000, "tls_required": true, "nonce": "abc", "headers": true})");
   ASSERT_TRUE(info);
@@ -88,17 +88,18 @@ TEST(NatsProtocol, a_server_says_what_it_takes_and_asks_for) {
   EXPECT_FALSE(read_server_info("[]") || read_server_info("{") || read_server_info(""));
 }
 
-TEST(NatsProtocol, who_connects_says_who_it_is_and_nothing_that_it_is_not) {
+TEST(NatsProtocol, connect_message_has_only_the_given_credentials) {
   const std::string line = connect_line({.user = "u", .password = "\"\xff"}, true);
   ASSERT_TRUE(line.starts_with("CONNECT {") && line.ends_with("}\r\n"));
-  const auto said = nlohmann::json::parse(line.substr(8));
-  EXPECT_EQ(said["user"], "u");
-  EXPECT_TRUE(said["tls_required"].get<bool>());
-  EXPECT_FALSE(said["echo"].get<bool>() || said["headers"].get<bool>());
-  EXPECT_FALSE(said.contains("auth_token") || said.contains("jwt") || said.contains("sig"));
+  const auto identity = nlohmann::json::parse(line.substr(8));
+  EXPECT_EQ(identity["user"], "u");
+  EXPECT_TRUE(identity["tls_required"].get<bool>());
+  EXPECT_FALSE(identity["echo"].get<bool>() || identity["headers"].get<bool>());
+  EXPECT_FALSE(identity.contains("auth_token") || identity.contains("jwt") ||
+               identity.contains("sig"));
 }
 
-TEST(NatsProtocol, lines_are_as_the_protocol_has_them) {
+TEST(NatsProtocol, writes_lines_of_the_protocol) {
   EXPECT_EQ(publish_line("a.b", 12), "PUB a.b 12\r\n");
   EXPECT_EQ(subscribe_line("a.*", 3), "SUB a.* 3\r\n");
   EXPECT_EQ(unsubscribe_line(3), "UNSUB 3\r\n");

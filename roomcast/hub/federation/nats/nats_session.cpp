@@ -25,7 +25,7 @@ NatsSession::NatsSession(NatsConnection connection)
       is_encrypted_(connection.is_encrypted),
       info_(std::move(connection.info)),
       server_(std::move(connection.server)),
-      last_heard_(clock_.now()),
+      last_received_(clock_.now()),
       in_(std::move(connection.received)),
       in_end_(in_.size()) {
   in_.resize(std::max(in_.size(), kReadBytes));
@@ -67,7 +67,7 @@ void NatsSession::read_later() {
         if (self->is_over_) return;
         if (error) return self->end();
         self->in_end_ += size;
-        self->last_heard_ = self->clock_.now();
+        self->last_received_ = self->clock_.now();
         self->read();
       });
 }
@@ -99,7 +99,7 @@ void NatsSession::take(const NatsEvent& event) {
 void NatsSession::end() {
   if (std::exchange(is_over_, true)) return;
   stream_.close();
-  handlers_.on_gone();
+  handlers_.on_lost();
 }
 
 // ---- writing

@@ -27,7 +27,7 @@ class NatsSession final : public std::enable_shared_from_this<NatsSession> {
  public:
   struct Handlers {
     std::function<void(std::string_view subject, std::span<const std::uint8_t> message)> on_message;
-    std::function<void()> on_gone;  // called once, unless stop() was called
+    std::function<void()> on_lost;  // called once, unless stop() was called
   };
 
   /// Runs on the io_context of the connection's stream.
@@ -49,10 +49,10 @@ class NatsSession final : public std::enable_shared_from_this<NatsSession> {
   [[nodiscard]] const std::string& server() const { return server_; }
 
   /// Time of the server's last message.
-  [[nodiscard]] HostTime last_heard() const { return last_heard_; }
+  [[nodiscard]] HostTime last_received() const { return last_received_; }
   /// Sends a ping, which the server must answer.
-  void ask() { write(kNatsPing); }
-  /// Breaks the connection; on_gone follows.
+  void ping() { write(kNatsPing); }
+  /// Breaks the connection; on_lost follows.
   void abort();
 
  private:
@@ -72,14 +72,14 @@ class NatsSession final : public std::enable_shared_from_this<NatsSession> {
   const std::string server_;
   Handlers handlers_;
   SteadyClock clock_;
-  HostTime last_heard_{};
+  HostTime last_received_{};
   std::map<std::uint64_t, std::string> subscriptions_;  // subjects by number
   std::uint64_t newest_subscription_ = 0;
 
   std::vector<std::uint8_t> in_;           // read buffer...
   std::size_t in_begin_ = 0, in_end_ = 0;  // ...with the bytes read but not yet processed
   std::vector<std::uint8_t> waiting_;      // bytes to be written
-  bool is_over_ = false;                   // stopped, or on_gone was called
+  bool is_over_ = false;                   // stopped, or on_lost was called
 };
 
 }  // namespace roomcast::hub::federation

@@ -29,8 +29,8 @@ class NatsSessionTest : public testing::Test {
     run_until([&] { return session != nullptr; });
     session->start(
         {.on_message = [this](std::string_view subject,
-                              auto message) { heard.emplace_back(subject, message.size()); },
-         .on_gone = [this] { ++gone; }});
+                              auto message) { received.emplace_back(subject, message.size()); },
+         .on_lost = [this] { ++gone; }});
     return session;
   }
   void run_until(const std::function<bool()>& done) {
@@ -43,11 +43,11 @@ class NatsSessionTest : public testing::Test {
   }
 
   boost::asio::io_context io;
-  std::vector<std::pair<std::string, std::size_t>> heard;
+  std::vector<std::pair<std::string, std::size_t>> received;
   int gone = 0;
 };
 
-TEST_F(NatsSessionTest, a_message_of_any_length_comes_whole) {
+TEST_F(NatsSessionTest, messages_of_any_length_arrive_whole) {
   const NatsServer server;
   const auto speaker = connect(server), listener = connect(server);
   const std::vector<std::uint8_t> message(1 << 20);
@@ -56,51 +56,51 @@ TEST_F(NatsSessionTest, a_message_of_any_length_comes_whole) {
   run_until([&] {  // a subscription takes effect with a delay
     speaker->publish("a", {}, kPlenty);
     io.run_for(1ms);
-    return !heard.empty();
+    return !received.empty();
   });
   speaker->publish("a", message, kPlenty);
-  run_until([&] { return heard.back().second == 1 << 20; });
+  run_until([&] { return received.back().second == 1 << 20; });
 }
 
-TEST_F(NatsSessionTest, who_has_unsubscribed_hears_no_more) {
+TEST_F(NatsSessionTest, gets_no_messages_after_unsubscribe) {
   const NatsServer server;
   const auto speaker = connect(server), listener = connect(server);
   listener->subscribe("a");
   listener->subscribe("b");
   const auto say_until_heard = [&](const std::vector<std::string>& subjects) {
-    heard.clear();
+    received.clear();
     run_until([&] {
       for (const std::string& subject : subjects) speaker->publish(subject, {}, kPlenty);
       io.run_for(1ms);
-      return !heard.empty() && heard.back().first == "b";
+      return !received.empty() && received.back().first == "b";
     });
   };
   say_until_heard({"a", "b"});
   listener->unsubscribe("a");
   say_until_heard({"b"});  // after this the server has processed it
   say_until_heard({"a", "b"});
-  for (const auto& [subject, size] : heard) EXPECT_EQ(subject, "b");
+  for (const auto& [subject, size] : received) EXPECT_EQ(subject, "b");
 }
 
-TEST_F(NatsSessionTest, a_server_that_is_asked_says_something) {
+TEST_F(NatsSessionTest, a_pinged_server_answers) {
   const NatsServer server;
   const auto session = connect(server);
   io.run_for(20ms);
-  const HostTime before = session->last_heard();
-  session->ask();
-  run_until([&] { return session->last_heard() > before; });
+  const HostTime before = session->last_received();
+  session->ping();
+  run_until([&] { return session->last_received() > before; });
 }
 
-TEST_F(NatsSessionTest, a_server_that_asks_is_answered) {
+TEST_F(NatsSessionTest, answers_pings) {
   const NatsServer server("ping_interval: \"100ms\"\nping_max: 1\n");
   const auto session = connect(server);
   for (int times = 0; times < 4; ++times) {
-    run_until([&, before = session->last_heard()] { return session->last_heard() > before; });
+    run_until([&, before = session->last_received()] { return session->last_received() > before; });
   }
-  EXPECT_EQ(gone, 0) << "a server hangs up on who does not answer";
+  EXPECT_EQ(gone, 0) << "a server disconnects a client that does not answer";
 }
 
-TEST_F(NatsSessionTest, who_is_told_that_it_is_gone_is_told_once) {
+TEST_F(NatsSessionTest, reports_a_lost_connection_once) {
   auto server = std::make_unique<NatsServer>();
   const auto session = connect(*server), aborted = connect(*server);
   aborted->abort();
@@ -112,7 +112,7 @@ TEST_F(NatsSessionTest, who_is_told_that_it_is_gone_is_told_once) {
   EXPECT_EQ(gone, 2);
 }
 
-TEST_F(NatsSessionTest, what_a_server_does_not_take_does_not_pile_up) {
+TEST_F(NatsSessionTest, limits_unsent_bytes) {
   const NatsServer server;
   const auto session = connect(server);
   server.hang();

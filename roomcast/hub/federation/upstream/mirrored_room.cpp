@@ -24,7 +24,7 @@ MirroredRoom::MirroredRoom(std::string room, std::string token, hub::BackplaneEv
 
 // ---- from the other hub
 
-std::vector<wpb::Control> MirroredRoom::welcomed(std::uint32_t viewer_id) {
+std::vector<wpb::Control> MirroredRoom::on_welcome(std::uint32_t viewer_id) {
   viewer_id_ = viewer_id;
   std::vector<wpb::Control> first(2);
   *first[0].mutable_people_here() = people_here_.people();
@@ -32,20 +32,20 @@ std::vector<wpb::Control> MirroredRoom::welcomed(std::uint32_t viewer_id) {
   return first;
 }
 
-void MirroredRoom::poses(const wpb::ViewerPoses& poses) {
+void MirroredRoom::on_poses(const wpb::ViewerPoses& poses) {
   if (!aligner_is_welcome_) return;
   wpb::Control control;
   *control.mutable_viewer_poses() = poses;
   here_.on_control(*aligner_, control);
 }
 
-void MirroredRoom::roster(const wpb::Roster& roster) {
+void MirroredRoom::on_roster(const wpb::Roster& roster) {
   if (!aligner_) join_as_aligner();
   std::vector<hub::federation::SensorThere> online;
   for (const auto& entry : roster.sensors()) {
     if (entry.online()) online.push_back({.entry = entry});
   }
-  sensors_.follow(online);
+  sensors_.set_online(online);
   place_sensors();
   people_there_ = hub::federation::people_there(roster, viewer_id_);
   show_people();
@@ -53,7 +53,7 @@ void MirroredRoom::roster(const wpb::Roster& roster) {
 
 void MirroredRoom::show_people() {
   if (!aligner_is_welcome_) return;
-  if (const auto news = shown_presence_.news(people_there_)) here_.on_control(*aligner_, *news);
+  if (const auto news = shown_presence_.update(people_there_)) here_.on_control(*aligner_, *news);
 }
 
 void MirroredRoom::join_as_aligner() {
@@ -67,8 +67,8 @@ void MirroredRoom::join_as_aligner() {
       {.connection = connection, .address = "another hub", .peer = "", .is_backplane = true}, join);
 }
 
-void MirroredRoom::other_hub_is_gone() {
-  sensors_.other_hub_is_gone();
+void MirroredRoom::on_hub_lost() {
+  sensors_.on_hub_lost();
   people_there_.Clear();
   shown_presence_.forget();
   if (!aligner_) return;

@@ -24,14 +24,14 @@ class MirroredRoom {
 
   // From the other hub. Its messages have passed wire::decode_control.
   /// The other hub has welcomed us as this viewer. Returns the messages to send to it at first.
-  std::vector<wire::pb::Control> welcomed(std::uint32_t viewer_id);
-  void poses(const wire::pb::ViewerPoses& poses);
-  void roster(const wire::pb::Roster& roster);
+  std::vector<wire::pb::Control> on_welcome(std::uint32_t viewer_id);
+  void on_poses(const wire::pb::ViewerPoses& poses);
+  void on_roster(const wire::pb::Roster& roster);
   void set_clock(const client::ClockEstimate& estimate) { sensors_.set_clock(estimate); }
   void frame(net::MessageBuffer message) { sensors_.frame(std::move(message)); }
   void frames_done() { sensors_.deliver_frames(); }
   /// Removes all sensors until the hub returns.
-  void other_hub_is_gone();
+  void on_hub_lost();
 
   // From the room here.
   /// A message to one of our connections. Returns the message to send to the other hub, if any.

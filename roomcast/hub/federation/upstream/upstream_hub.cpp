@@ -59,7 +59,7 @@ void UpstreamHub::end_later(const std::string& name, Pulled& pulled) {
 void UpstreamHub::end(Rooms::iterator room) {
   const auto ended = rooms_.extract(room);
   add_traffic(ended.mapped()->room, ended_);
-  ended.mapped()->room.mirror().other_hub_is_gone();
+  ended.mapped()->room.mirror().on_hub_lost();
 }
 
 hub::BackplaneStats UpstreamHub::stats() const {

@@ -21,9 +21,9 @@ hub::HubOptions serving_on(const std::vector<std::uint16_t>& ports, const std::s
   for (const auto port : ports) upstream.hubs.push_back({.host = "127.0.0.1", .port = port});
   hub::HubOptions options;
   options.open_backplane =
-      [upstream](hub::BackplaneContext seat) -> Result<std::unique_ptr<hub::Backplane>> {
+      [upstream](hub::BackplaneContext context) -> Result<std::unique_ptr<hub::Backplane>> {
     return std::unique_ptr<hub::Backplane>(
-        std::make_unique<UpstreamHub>(upstream, std::move(seat)));
+        std::make_unique<UpstreamHub>(upstream, std::move(context)));
   };
   return options;
 }
@@ -33,7 +33,7 @@ class UpstreamHubTest : public hub::federation::ClientsOfHubs {
   /// The names of the viewers at the same hub.
   static std::vector<std::string> viewers_in(const hub::RawClient& client) {
     std::vector<std::string> names;
-    for (const auto& message : client.heard) {
+    for (const auto& message : client.received) {
       if (!message.has_roster()) continue;
       names.clear();
       for (const auto& viewer : message.roster().viewers()) {
@@ -54,10 +54,10 @@ TEST_F(UpstreamHubTest, a_viewer_sees_the_sensors_of_the_other_hub) {
       RoomTime(SteadyClock().now().time_since_epoch()) - viewer->frames.front().capture_time;
   EXPECT_GT(late, -1s);
   EXPECT_LT(late, 5s) << "captured in this hub's time";
-  part();
+  disconnect_all();
 }
 
-TEST_F(UpstreamHubTest, tells_what_comes_from_the_other_hub) {
+TEST_F(UpstreamHubTest, counts_the_traffic_from_the_other_hub) {
   const RunningHub origin, edge(serving_on({origin.port()}));
   const auto sensor = join(origin, hub::sensor_join("left"));
   EXPECT_THAT(metrics_of(edge), testing::HasSubstr("\nroomcast_backplane_links 0\n"));
@@ -66,11 +66,11 @@ TEST_F(UpstreamHubTest, tells_what_comes_from_the_other_hub) {
   const std::string metrics = metrics_of(edge);
   EXPECT_THAT(metrics, testing::HasSubstr("\nroomcast_backplane_links_up 1\n"));
   EXPECT_THAT(metrics, testing::Not(testing::HasSubstr("_received_messages_total 0\n")));
-  part();
+  disconnect_all();
 }
 
-TEST_F(UpstreamHubTest, a_room_that_asks_for_a_token_is_given_to_a_hub_that_has_one_only) {
-  const RunningHub origin({.rooms = {{.name = "room", .view = hub::Who::kToken}}});
+TEST_F(UpstreamHubTest, a_room_that_needs_a_token_is_relayed_with_a_token_only) {
+  const RunningHub origin({.rooms = {{.name = "room", .view = hub::AccessRule::kToken}}});
   const RunningHub without(serving_on({origin.port()}));
   const RunningHub with(serving_on({origin.port()}, origin.server().own_token()));
   const auto sensor = join(origin, hub::sensor_join("left"));
@@ -78,10 +78,10 @@ TEST_F(UpstreamHubTest, a_room_that_asks_for_a_token_is_given_to_a_hub_that_has_
   const auto viewer = join(with, hub::viewer_join());
   send_until_seen(sensor, viewer);
   EXPECT_TRUE(stranger->frames.empty());
-  part();
+  disconnect_all();
 }
 
-TEST_F(UpstreamHubTest, a_room_is_pulled_only_while_somebody_watches) {
+TEST_F(UpstreamHubTest, a_room_is_pulled_only_while_it_has_viewers) {
   const RunningHub origin, edge(serving_on({origin.port()}));
   const auto sensor = join(origin, hub::sensor_join("left"));
   const auto witness = join(origin, hub::viewer_join());
@@ -90,10 +90,10 @@ TEST_F(UpstreamHubTest, a_room_is_pulled_only_while_somebody_watches) {
   run_until([&] { return viewers_in(*witness).size() == 2; });
   sockets.back()->close(net::close_code::kNormal, "left");
   run_until([&] { return viewers_in(*witness).size() == 1; });
-  part();
+  disconnect_all();
 }
 
-TEST_F(UpstreamHubTest, where_one_hub_is_gone_the_next_is_taken) {
+TEST_F(UpstreamHubTest, pulls_from_the_next_hub_when_one_is_gone) {
   auto first = std::make_unique<RunningHub>();
   const RunningHub second;
   const RunningHub edge(serving_on({first->port(), second.port()}));
@@ -101,7 +101,7 @@ TEST_F(UpstreamHubTest, where_one_hub_is_gone_the_next_is_taken) {
   const auto viewer = join(edge, hub::viewer_join());
   first.reset();
   send_until_seen(sensor, viewer);
-  part();
+  disconnect_all();
 }
 
 TEST_F(UpstreamHubTest, a_sensor_that_leaves_there_is_offline_here) {
@@ -111,11 +111,11 @@ TEST_F(UpstreamHubTest, a_sensor_that_leaves_there_is_offline_here) {
   send_until_seen(sensor, viewer);
   sockets.front()->close(net::close_code::kNormal, "left");
   run_until([&] {
-    const auto& last = viewer->heard.back();
+    const auto& last = viewer->received.back();
     return last.has_roster() && last.roster().sensors_size() == 1 &&
            !last.roster().sensors(0).online();
   });
-  part();
+  disconnect_all();
 }
 
 }  // namespace

@@ -59,13 +59,13 @@ void UpstreamRoom::send(const wpb::Control& message) {
 void UpstreamRoom::on_welcome(const wpb::Welcome& welcome) {
   is_down_ = false;
   is_welcome_ = true;
-  for (const wpb::Control& first : mirror_.welcomed(welcome.viewer_id())) send(first);
+  for (const wpb::Control& first : mirror_.on_welcome(welcome.viewer_id())) send(first);
 }
 
 void UpstreamRoom::on_control(const wpb::Control& message) {
   count(message.ByteSizeLong(), received_);
-  if (message.has_roster()) mirror_.roster(message.roster());
-  if (message.has_viewer_poses()) mirror_.poses(message.viewer_poses());
+  if (message.has_roster()) mirror_.on_roster(message.roster());
+  if (message.has_viewer_poses()) mirror_.on_poses(message.viewer_poses());
   if (message.has_revoked_tokens()) {
     auto revoked = hub::revoked_claims(message.revoked_tokens(), room_);
     if (!revoked.empty()) revoke_(std::move(revoked));
@@ -83,9 +83,9 @@ void UpstreamRoom::on_clock(const client::ClockEstimate& estimate) {
 
 void UpstreamRoom::on_down(const Error& reason, bool final) {
   is_welcome_ = false;
-  mirror_.other_hub_is_gone();
+  mirror_.on_hub_lost();
   if (final) {
-    timer_.expires_after(kAskAgainAfter);
+    timer_.expires_after(kRejoinAfter);
     timer_.async_wait([this](boost::system::error_code error) {
       if (!error) join();
     });

@@ -34,7 +34,7 @@ class UpstreamRoom final : public BackplaneRoom, private client::HubLinkEvents {
                                                    .give_up_after = std::chrono::milliseconds(600),
                                                    .close_within = std::chrono::milliseconds(500)};
   /// After a refusal: the room may be opened there, or the token renewed.
-  static constexpr std::chrono::seconds kAskAgainAfter{4};
+  static constexpr std::chrono::seconds kRejoinAfter{4};
 
   /// Called with the tokens for this room that the other hub has revoked.
   using Revoke = std::function<void(std::vector<hub::Claims>)>;

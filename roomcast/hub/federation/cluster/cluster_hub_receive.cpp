@@ -18,34 +18,36 @@ std::optional<Message> read(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-void ClusterHub::take(std::string_view subject, std::span<const std::uint8_t> bytes) {
+void ClusterHub::on_message(std::string_view subject, std::span<const std::uint8_t> bytes) {
   const auto what = read_subject(subject);
   if (!what) return;
   if (what->subject == Subject::kHeartbeat) {
-    if (const auto heartbeat = read<pb::Heartbeat>(bytes)) take_heartbeat(*heartbeat);
+    if (const auto heartbeat = read<pb::Heartbeat>(bytes)) on_heartbeat(*heartbeat);
   } else if (what->subject == Subject::kInbox) {
     const auto message = read<pb::ToHub>(bytes);
     Room* room = message ? find(message->room()) : nullptr;
-    if (room != nullptr && directory_.find(HubId{message->from()})) room->shared->take(*message);
+    if (room != nullptr && directory_.find(HubId{message->from()}))
+      room->shared->on_message(*message);
   } else if (what->subject == Subject::kNews) {
     const auto news = read<pb::RoomNews>(bytes);
     Room* room = find(what->room);
-    if (room != nullptr && news && directory_.find(HubId{news->hub()})) room->shared->news(*news);
+    if (room != nullptr && news && directory_.find(HubId{news->hub()}))
+      room->shared->on_news(*news);
   } else if (what->subject == Subject::kRevoked) {
-    if (const auto revoked = read<pb::Revoked>(bytes)) take_revoked(*revoked);
+    if (const auto revoked = read<pb::Revoked>(bytes)) on_revoked(*revoked);
   } else if (what->subject == Subject::kPoses) {
     const auto people = read<pb::PeopleMoved>(bytes);
     Room* room = find(what->room);
-    if (room != nullptr && people) room->shared->people_moved(*people);
+    if (room != nullptr && people) room->shared->on_poses(*people);
   } else if (what->subject == Subject::kFrames) {
-    if (Room* room = find(what->room)) room->shared->frames(what->hub, bytes);
+    if (Room* room = find(what->room)) room->shared->on_frames(what->hub, bytes);
   }
 }
 
-void ClusterHub::take_heartbeat(const pb::Heartbeat& heartbeat) {
+void ClusterHub::on_heartbeat(const pb::Heartbeat& heartbeat) {
   const HubId from{heartbeat.hub()};
   const bool is_new = directory_.find(from) == nullptr;
-  if (!directory_.take(heartbeat, clock_.now())) return;
+  if (!directory_.update(heartbeat, clock_.now())) return;
   const auto estimate = directory_.find(from)->clock.estimate();
   for (const auto& [name, room] : rooms_) {
     const pb::RoomHere* there = room_of(heartbeat, name);
@@ -57,17 +59,17 @@ void ClusterHub::take_heartbeat(const pb::Heartbeat& heartbeat) {
       please.set_from(id_.value);
       please.set_room(name);
       please.mutable_news_please();
-      tell(from, please);
+      send_to(from, please);
     }
   }
-  if (heartbeat.leaves()) beat();
+  if (heartbeat.leaves()) run_heartbeat();
   if (!is_new) return;
-  beats_ = 0;
-  say_alive();  // so that the new hub knows of this one at once
+  heartbeat_number_ = 0;
+  send_heartbeat();  // so that the new hub knows of this one at once
   context_.send_revoked();
 }
 
-void ClusterHub::take_revoked(const pb::Revoked& revoked) {
+void ClusterHub::on_revoked(const pb::Revoked& revoked) {
   auto tokens = revoked_tokens(revoked);
   if (!tokens.empty()) context_.revoke(std::move(tokens));
 }
