@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "roomcast/alignment/bundle/steady_color.h"
-#include "roomcast/alignment/bundle/steady_depth.h"
 
 namespace roomcast::alignment {
 namespace {
@@ -17,11 +16,12 @@ void thin_out(std::vector<ColorImage>& pictures) {
 
 }  // namespace
 
-BundleCapture::BundleCapture(std::string name, const SensorCalibration& calibration)
-    : name_(std::move(name)), calibration_(calibration) {}
+BundleCapture::BundleCapture(std::string name, const SensorCalibration& calibration,
+                             const BundleCaptureOptions& options)
+    : name_(std::move(name)), calibration_(calibration), options_(options) {}
 
 Result<bool> BundleCapture::add(const DepthImage& depth_mm, const ColorImage& color) {
-  if (depth_mm_.size() == kBundleFrames) return true;
+  if (depth_mm_.size() == options_.frames) return true;
   if (!same_size(depth_mm.view(), calibration_.depth) ||
       (!color.empty() && !same_size(color.view(), calibration_.color))) {
     return Error{ErrorCode::kInvalidArgument,
@@ -29,12 +29,12 @@ Result<bool> BundleCapture::add(const DepthImage& depth_mm, const ColorImage& co
   }
   if (!color.empty()) add_color(color);
   depth_mm_.push_back(depth_mm);
-  return depth_mm_.size() == kBundleFrames;
+  return depth_mm_.size() == options_.frames;
 }
 
 void BundleCapture::add_color(const ColorImage& color) {
   const std::size_t place = seen_colors_++;
-  if (place % colors_apart_ == 0 && colors_.size() == kBundleColorFrames) {
+  if (place % colors_apart_ == 0 && colors_.size() == options_.color_frames) {
     thin_out(colors_);
     colors_apart_ *= 2;
   }
@@ -48,11 +48,11 @@ Result<CalibrationBundle> BundleCapture::finish() const {
   CalibrationBundle bundle;
   bundle.name = name_;
   bundle.calibration = calibration_;
-  SteadyDepth steady = steady_depth(depth_mm_);
+  SteadyDepth steady = steady_depth(depth_mm_, options_.steady_depth);
   bundle.depth_mm = std::move(steady.depth_mm);
   bundle.moving = std::move(steady.moving);
   if (!colors_.empty()) bundle.color = steady_color(colors_);
-  if (const Status status = check(bundle); !status) return status.error();
+  if (const Status status = check(bundle, options_.usable); !status) return status.error();
   return bundle;
 }
 

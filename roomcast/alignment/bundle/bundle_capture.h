@@ -8,15 +8,32 @@
 #include <vector>
 
 #include "roomcast/alignment/bundle/calibration_bundle.h"
+#include "roomcast/alignment/bundle/steady_depth.h"
 
 namespace roomcast::alignment {
 
 inline constexpr std::size_t kBundleFrames = 30;
-inline constexpr std::size_t kBundleColorFrames = 9;  // at most
+
+struct BundleCaptureOptions {
+  std::size_t frames = kBundleFrames;  // a second; in the prototype 30 gained a tenth over one
+  std::size_t color_frames = 9;        // at most; so that a person leaves no trace (ADR 12)
+  SteadyDepthOptions steady_depth;
+  BundleCheckOptions usable;
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("frames", frames, Range{1, 1000});
+    visit("color_frames", color_frames, Range{1, 100});
+    visit("steady_depth", steady_depth);
+    visit("usable", usable);
+  }
+  [[nodiscard]] Status check() const { return check_fields("BundleCaptureOptions", *this); }
+};
 
 class BundleCapture {
  public:
-  BundleCapture(std::string name, const SensorCalibration& calibration);
+  BundleCapture(std::string name, const SensorCalibration& calibration,
+                const BundleCaptureOptions& options = {});
 
   /// Adds a frame; `color` may be empty. Returns true when enough frames have been added.
   /// kInvalidArgument: a picture is not of its camera's size.
@@ -30,6 +47,7 @@ class BundleCapture {
 
   std::string name_;
   SensorCalibration calibration_;
+  BundleCaptureOptions options_;
   std::vector<DepthImage> depth_mm_;
   std::vector<ColorImage> colors_;
   std::size_t seen_colors_ = 0;

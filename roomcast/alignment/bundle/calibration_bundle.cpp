@@ -75,16 +75,16 @@ Status check_sizes(const CalibrationBundle& bundle) {
 
 }  // namespace
 
-Status check(const CalibrationBundle& bundle) {
+Status check(const CalibrationBundle& bundle, const BundleCheckOptions& options) {
   if (const Status status = check_cameras(bundle); !status) return status;
   if (const Status status = check_sizes(bundle); !status) return status;
   if (bundle.up && !(std::abs(bundle.up->norm() - 1) < 1e-3)) {
     return invalid(bundle, "gave a direction of gravity that is no unit vector");
   }
-  if (share_with_depth(bundle.depth_mm) < kMinDepthShare) {
+  if (share_with_depth(bundle.depth_mm) < options.min_depth_share) {
     return invalid(bundle, "sees almost no depth; check that nothing covers it or is too close");
   }
-  if (contrast(bundle.color) < kMinContrast) {
+  if (contrast(bundle.color) < options.min_contrast) {
     return invalid(bundle,
                    "gave a colour picture without contrast; uncover its lens or turn on the light");
   }

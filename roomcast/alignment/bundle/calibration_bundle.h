@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "roomcast/core/image.h"
+#include "roomcast/core/option_fields.h"
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/camera_model.h"
 
@@ -26,14 +27,22 @@ struct CalibrationBundle {
       up;  // against gravity, unit, depth frame: where the sensor has an IMU
 };
 
-/// Least share of pixels with a reading in a usable depth picture.
-inline constexpr double kMinDepthShare = 0.02;
-/// Least standard deviation of the grey values (of 255) of a usable colour picture.
-inline constexpr double kMinContrast = 2;
+/// What makes a bundle usable. Chosen by hand, far below what any sensor that sees a room gives.
+struct BundleCheckOptions {
+  double min_depth_share = 0.02;  // of the pixels: with a reading
+  double min_contrast = 2;        // grey levels of 255: standard deviation of the colour picture
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("min_depth_share", min_depth_share, Range{0, 1});
+    visit("min_contrast", min_contrast, Range{0, 255});
+  }
+  [[nodiscard]] Status check() const { return check_fields("BundleCheckOptions", *this); }
+};
 
 /// kInvalidArgument with a sentence that names the remedy: invalid camera parameters, pictures that
 /// are not of their cameras' sizes, hardly any depth, colour without contrast (a covered lens, a
 /// dark room).
-[[nodiscard]] Status check(const CalibrationBundle& bundle);
+[[nodiscard]] Status check(const CalibrationBundle& bundle, const BundleCheckOptions& options = {});
 
 }  // namespace roomcast::alignment

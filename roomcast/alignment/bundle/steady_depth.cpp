@@ -13,7 +13,6 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr double kNormalSigmaPerMad = 1.4826;
-constexpr double kSteadySigma_mm = 20, kSteadySigmaPerDepth = 0.01;
 constexpr std::uint16_t kNoReading = std::numeric_limits<std::uint16_t>::max();
 
 /// The medians of one row of sorted samples. Missing readings are 0 and are sorted to the front.
@@ -54,13 +53,15 @@ void deviate(SampleStack<std::uint16_t>& stack, std::size_t pictures, const RowM
   }
 }
 
-bool is_steady(double deviation_mm, double depth_mm) {
-  return kNormalSigmaPerMad * deviation_mm <= kSteadySigma_mm + kSteadySigmaPerDepth * depth_mm;
+bool is_steady(double deviation_mm, double depth_mm, const SteadyDepthOptions& options) {
+  return kNormalSigmaPerMad * deviation_mm <=
+         options.max_sigma_mm + options.max_sigma_per_depth * depth_mm;
 }
 
 }  // namespace
 
-SteadyDepth steady_depth(std::span<const DepthImage> pictures_mm) {
+SteadyDepth steady_depth(std::span<const DepthImage> pictures_mm,
+                         const SteadyDepthOptions& options) {
   ROOMCAST_ASSERT(!pictures_mm.empty());
   const std::size_t pictures = pictures_mm.size();
   const int width = pictures_mm[0].width(), height = pictures_mm[0].height();
@@ -76,7 +77,7 @@ SteadyDepth steady_depth(std::span<const DepthImage> pictures_mm) {
       const auto i = static_cast<std::size_t>(x);
       if (row.median_mm[i] == 0) continue;
       const auto deviation_mm = stack.picture((pictures - row.missing[i]) / 2)[i];
-      const bool steady_here = is_steady(deviation_mm, row.median_mm[i]);
+      const bool steady_here = is_steady(deviation_mm, row.median_mm[i], options);
       steady.depth_mm.at(x, y) = steady_here ? row.median_mm[i] : 0;
       steady.moving.at(x, y) = steady_here ? 0 : 255;
     }

@@ -71,14 +71,14 @@ Image<std::uint8_t> undistorted(const Image<float>& grey, const CameraIntrinsics
 
 /// Splats each depth reading over as many pixels as neighbouring readings are apart; the nearest
 /// depth wins.
-void splat(const DepthSurface& surface, ColorPicture& picture) {
+void splat(const DepthSurface& surface, int max_reach, ColorPicture& picture) {
   const float spread = picture.camera.fx / static_cast<float>(surface.camera.fx);
-  const int reach = std::clamp(static_cast<int>(std::ceil(spread)), 1, 6);
+  const int reach = std::clamp(static_cast<int>(std::ceil(spread)), 1, max_reach);
   for (std::size_t i = 0; i < surface.at.view().pixel_count(); ++i) {
     const Eigen::Vector3f& point = surface.at.data()[i].point_m;
     if (!(point.z() > 0)) continue;
     const Eigen::Vector3f in_color = picture.in_color_frame(point);
-    if (!(in_color.z() > kNearestSurface_m)) continue;
+    if (!(in_color.z() > picture.nearest_m)) continue;
     const Eigen::Vector2f pixel = picture.pixel_of(in_color);
     const float offset = 0.5F * static_cast<float>(reach - 1);
     const float left = std::round(pixel.x() - offset), top = std::round(pixel.y() - offset);
@@ -96,8 +96,8 @@ void splat(const DepthSurface& surface, ColorPicture& picture) {
 }  // namespace
 
 ColorPicture color_picture(ColorView color, const SensorCalibration& calibration,
-                           const DepthSurface& surface) {
-  const int factor = (color.width + kLargestPictureWidth - 1) / kLargestPictureWidth;
+                           const DepthSurface& surface, const ColorPictureOptions& options) {
+  const int factor = (color.width + options.max_width_px - 1) / options.max_width_px;
   const CameraIntrinsics camera = shrunk(calibration.color, factor);
   ColorPicture picture;
   const auto f = [](double x) { return static_cast<float>(x); };
@@ -106,8 +106,9 @@ ColorPicture color_picture(ColorView color, const SensorCalibration& calibration
   picture.tint = undistorted(shrunk(color, factor, tint_of), camera);
   picture.color_from_depth_rotation = calibration.color_from_depth.rotation.cast<float>();
   picture.color_from_depth_m = calibration.color_from_depth.translation_m.cast<float>();
+  picture.nearest_m = surface.options.nearest_m;
   picture.z_m.resize(camera.width, camera.height);
-  splat(surface, picture);
+  splat(surface, options.max_splat_px, picture);
   return picture;
 }
 

@@ -20,6 +20,18 @@ struct Pinhole {
 
 inline constexpr float kNoTint = 128;  // tint of a grey pixel
 
+struct ColorPictureOptions {
+  int max_width_px = 1000;  // wider pictures are halved and so on; by hand, for the time of SIFT
+  int max_splat_px = 6;     // reach of one depth reading; by hand
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("max_width_px", max_width_px, Range{16, 10000});
+    visit("max_splat_px", max_splat_px, Range{1, 100});
+  }
+  [[nodiscard]] Status check() const { return check_fields("ColorPictureOptions", *this); }
+};
+
 struct ColorPicture {
   Pinhole camera;
   Image<std::uint8_t> grey;
@@ -27,6 +39,7 @@ struct ColorPicture {
   Image<float> z_m;          // depth along the colour camera's axis; 0 = no depth reading
   Eigen::Matrix3f color_from_depth_rotation;
   Eigen::Vector3f color_from_depth_m;
+  float nearest_m = kNearestSurface_m;  // along the axis; nearer points have no pixel
 
   [[nodiscard]] Eigen::Vector3f in_color_frame(const Eigen::Vector3f& point_m) const {
     return color_from_depth_rotation * point_m + color_from_depth_m;
@@ -38,10 +51,9 @@ struct ColorPicture {
   }
 };
 
-inline constexpr int kLargestPictureWidth = 1000;
-
 /// Requires a checked calibration and a `color` of the size of `calibration.color`.
 [[nodiscard]] ColorPicture color_picture(ColorView color, const SensorCalibration& calibration,
-                                         const DepthSurface& surface);
+                                         const DepthSurface& surface,
+                                         const ColorPictureOptions& options = {});
 
 }  // namespace roomcast::alignment

@@ -6,23 +6,16 @@
 
 #include <Eigen/Geometry>
 
-#include "roomcast/alignment/view/depth_noise.h"
-
 namespace roomcast::alignment {
 namespace {
 
-constexpr int kSmoothReach = 2;     // pixels: radius of the bilateral filter
-constexpr int kNormalReach = 3;     // pixels from a point to the neighbours that give its normal
-constexpr float kSmoothSigmas = 4;  // readings that differ by more belong to another surface
-constexpr float kSteepestRange = 0.06F;  // share of depth: a larger range in a window is an edge
-constexpr float kMinIncidence = 0.2F;    // cosine; readings at flatter angles are unreliable
-
-Image<float> metres_of(DepthView depth_mm) {
+Image<float> metres_of(DepthView depth_mm, const DepthSurfaceOptions& options) {
+  const float nearest_m = options.nearest_m, farthest_m = options.farthest_m;
   Image<float> z_m(depth_mm.width, depth_mm.height);
   for (int y = 0; y < depth_mm.height; ++y) {
     for (int x = 0; x < depth_mm.width; ++x) {
       const float z = 0.001F * static_cast<float>(depth_mm.at(x, y));
-      z_m.at(x, y) = z > kNearestSurface_m && z < kFarthestSurface_m ? z : 0;
+      z_m.at(x, y) = z > nearest_m && z < farthest_m ? z : 0;
     }
   }
   return z_m;
@@ -30,9 +23,10 @@ Image<float> metres_of(DepthView depth_mm) {
 
 /// Bilateral filter (Tomasi & Manduchi 1998) with a range kernel that reaches 0, so that readings
 /// across an edge do not contribute.
-float smoothed(const Image<float>& z_m, int x, int y) {
+float smoothed(const DepthSurface& surface, int x, int y) {
+  const Image<float>& z_m = surface.z_m;
   const float centre = z_m.at(x, y);
-  const float reach = kSmoothSigmas * depth_sigma_m(centre);
+  const float reach = surface.options.smooth_sigmas * surface.options.noise.sigma_m(centre);
   float sum = 0, weight = 0;
   for (int dy = -kSmoothReach; dy <= kSmoothReach; ++dy) {
     for (int dx = -kSmoothReach; dx <= kSmoothReach; ++dx) {
@@ -49,7 +43,7 @@ float smoothed(const Image<float>& z_m, int x, int y) {
 bool is_smooth(const DepthSurface& surface, int x, int y) {
   if (surface.range.complete.at(x, y) == 0) return false;
   const float range = surface.range.farthest_m.at(x, y) - surface.range.nearest_m.at(x, y);
-  return range < kSteepestRange * surface.z_m.at(x, y);
+  return range < surface.options.max_range_per_depth * surface.z_m.at(x, y);
 }
 
 void place_points(DepthSurface& surface) {
@@ -60,7 +54,7 @@ void place_points(DepthSurface& surface) {
       here = {Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero()};
       const Eigen::Vector2f& ray = rays.at(x, y);
       if (!(surface.z_m.at(x, y) > 0) || std::isnan(ray.x())) continue;
-      const float z = is_smooth(surface, x, y) ? smoothed(surface.z_m, x, y) : surface.z_m.at(x, y);
+      const float z = is_smooth(surface, x, y) ? smoothed(surface, x, y) : surface.z_m.at(x, y);
       here.point_m = z * ray.homogeneous();
     }
   }
@@ -68,13 +62,12 @@ void place_points(DepthSurface& surface) {
 
 Eigen::Vector3f normal_at(const DepthSurface& surface, int x, int y) {
   const auto& at = surface.at;
-  const Eigen::Vector3f across =
-      at.at(x + kNormalReach, y).point_m - at.at(x - kNormalReach, y).point_m;
-  const Eigen::Vector3f down =
-      at.at(x, y + kNormalReach).point_m - at.at(x, y - kNormalReach).point_m;
+  const int reach = surface.options.normal_reach_px;
+  const Eigen::Vector3f across = at.at(x + reach, y).point_m - at.at(x - reach, y).point_m;
+  const Eigen::Vector3f down = at.at(x, y + reach).point_m - at.at(x, y - reach).point_m;
   const Eigen::Vector3f normal = down.cross(across).normalized();  // towards the camera
   const Eigen::Vector3f view = at.at(x, y).point_m.normalized();
-  return -normal.dot(view) > kMinIncidence ? normal : Eigen::Vector3f::Zero();
+  return -normal.dot(view) > surface.options.min_incidence ? normal : Eigen::Vector3f::Zero();
 }
 
 void place_normals(DepthSurface& surface) {
@@ -87,8 +80,9 @@ void place_normals(DepthSurface& surface) {
 }
 
 void take_samples(DepthSurface& surface) {
-  for (int y = 0; y < surface.at.height(); y += kSampleStep) {
-    for (int x = 0; x < surface.at.width(); x += kSampleStep) {
+  const int step = surface.options.sample_step_px;
+  for (int y = 0; y < surface.at.height(); y += step) {
+    for (int x = 0; x < surface.at.width(); x += step) {
       const SurfacePoint& here = surface.at.at(x, y);
       if (here.normal.squaredNorm() > 0) surface.samples.push_back(here);
     }
@@ -97,9 +91,10 @@ void take_samples(DepthSurface& surface) {
 
 }  // namespace
 
-DepthSurface depth_surface(DepthView depth_mm, const CameraIntrinsics& camera) {
-  DepthSurface surface{camera, Lens(camera), metres_of(depth_mm), {}, {}, {}};
-  surface.range = window_range(surface.z_m, kNormalReach);
+DepthSurface depth_surface(DepthView depth_mm, const CameraIntrinsics& camera,
+                           const DepthSurfaceOptions& options) {
+  DepthSurface surface{camera, Lens(camera), metres_of(depth_mm, options), {}, {}, {}, options};
+  surface.range = window_range(surface.z_m, options.normal_reach_px);
   surface.at.resize(depth_mm.width, depth_mm.height);
   place_points(surface);
   place_normals(surface);

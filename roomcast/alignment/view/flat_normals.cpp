@@ -3,19 +3,15 @@
 
 #include <cmath>
 
-#include "roomcast/alignment/view/depth_noise.h"
-
 namespace roomcast::alignment {
 namespace {
 
-constexpr float kFlatThickness_m = 0.02F;  // plus the depth noise
-constexpr float kFlatCosine = 0.98F;       // cosine: a larger tilt is real
-
-void flatten(std::span<const Plane> planes, SurfacePoint& point) {
+void flatten(std::span<const Plane> planes, const DepthNoiseOptions& noise,
+             const FlatNormalOptions& options, SurfacePoint& point) {
   if (point.normal.isZero()) return;
-  const float thickness_m = kFlatThickness_m + depth_sigma_m(point.point_m.z());
+  const float thickness_m = options.thickness_m + noise.sigma_m(point.point_m.z());
   for (const Plane& plane : planes) {
-    if (point.normal.dot(plane.normal) < kFlatCosine) continue;
+    if (point.normal.dot(plane.normal) < options.min_cosine) continue;
     if (std::abs(plane.height_m(point.point_m)) > thickness_m) continue;
     point.normal = plane.normal;
     return;
@@ -24,11 +20,14 @@ void flatten(std::span<const Plane> planes, SurfacePoint& point) {
 
 }  // namespace
 
-void flatten_normals(std::span<const Plane> planes, DepthSurface& surface) {
+void flatten_normals(std::span<const Plane> planes, DepthSurface& surface,
+                     const FlatNormalOptions& options) {
+  const DepthNoiseOptions& noise = surface.options.noise;
   for (int y = 0; y < surface.at.height(); ++y) {
-    for (int x = 0; x < surface.at.width(); ++x) flatten(planes, surface.at.at(x, y));
+    for (int x = 0; x < surface.at.width(); ++x)
+      flatten(planes, noise, options, surface.at.at(x, y));
   }
-  for (SurfacePoint& sample : surface.samples) flatten(planes, sample);
+  for (SurfacePoint& sample : surface.samples) flatten(planes, noise, options, sample);
 }
 
 }  // namespace roomcast::alignment

@@ -12,7 +12,21 @@
 
 namespace roomcast::alignment {
 
+/// Chosen on simulated rooms with little but a floor.
+struct FlatNormalOptions {
+  float thickness_m = 0.02F;  // from the plane, in addition to the depth noise
+  float min_cosine = 0.98F;   // between normals; a larger tilt is real
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("thickness_m", thickness_m, Range{0, 1});
+    visit("min_cosine", min_cosine, Range{-1, 1});
+  }
+  [[nodiscard]] Status check() const { return check_fields("FlatNormalOptions", *this); }
+};
+
 /// Sets the normal of every point on one of the planes to that plane's normal.
-void flatten_normals(std::span<const Plane> planes, DepthSurface& surface);
+void flatten_normals(std::span<const Plane> planes, DepthSurface& surface,
+                     const FlatNormalOptions& options = {});
 
 }  // namespace roomcast::alignment

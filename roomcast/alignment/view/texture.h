@@ -24,6 +24,20 @@ struct TexturedPoint {
 inline constexpr int kTextureStep = 2;       // rows and columns of the depth grid
 inline constexpr int kTextureBlurReach = 4;  // pixels: radius of the blur
 
+struct TextureOptions {
+  float blur_sigma_px = 1.8F;  // about the footprint of a cell of the grid
+  float hidden_m = 0.05F;      // points further behind the surface seen in the pixel are hidden
+  float min_tint = 4;          // levels from grey to a hue; above the noise of blurred colour
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("blur_sigma_px", blur_sigma_px, Range{0.1, kTextureBlurReach});
+    visit("hidden_m", hidden_m, Range{0, 1});
+    visit("min_tint", min_tint, Range{0, 128});
+  }
+  [[nodiscard]] Status check() const { return check_fields("TextureOptions", *this); }
+};
+
 struct Texture {
   int width = 0, height = 0;          // of the grid
   std::vector<TexturedPoint> points;  // row by row; only points that both cameras see
@@ -32,7 +46,8 @@ struct Texture {
   bool has_hues = false;              // false where the whole picture is grey
 };
 
-[[nodiscard]] Texture make_texture(const DepthSurface& surface, const ColorPicture& picture);
+[[nodiscard]] Texture make_texture(const DepthSurface& surface, const ColorPicture& picture,
+                                   const TextureOptions& options = {});
 
 /// The blurred grey, or tint, at a pixel of the colour picture; nothing outside it or closer to its
 /// border than kTextureBlurReach.
