@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "roomcast/alignment/feature/descriptor_products.h"
-#include "roomcast/alignment/feature/repeats.h"
 #include "roomcast/core/vector_loop.h"
 
 namespace roomcast::alignment {
@@ -42,9 +41,9 @@ struct Partners {
 };
 
 /// Mask for dot products: all ones for a feature that repeats, else 0.
-std::vector<std::int32_t> repeat_mask(const FeatureSet& set) {
+std::vector<std::int32_t> repeat_mask(const FeatureSet& set, const RepeatOptions& options) {
   std::vector<std::int32_t> mask;
-  for (const Feature& feature : set.features) mask.push_back(repeats(feature) ? -1 : 0);
+  for (const Feature& feature : set.features) mask.push_back(repeats(feature, options) ? -1 : 0);
   return mask;
 }
 
@@ -71,11 +70,12 @@ ROOMCAST_VECTOR_CLONES Row summarise_row(std::span<const std::int32_t> products,
 /// Compares two sets row by row: one feature of a with a tile of b's features.
 class Comparison {
  public:
-  Comparison(const FeatureSet& a, const FeatureSet& b, float largest_distance)
+  Comparison(const FeatureSet& a, const FeatureSet& b, float largest_distance,
+             const RepeatOptions& repeating)
       : a_(a),
         b_(b),
-        repeats_a_(repeat_mask(a)),
-        repeats_b_(repeat_mask(b)),
+        repeats_a_(repeat_mask(a, repeating)),
+        repeats_b_(repeat_mask(b, repeating)),
         of_a_(a.size(), Partners(too_small_dot(largest_distance))),
         of_b_(b.size(), Partners(too_small_dot(largest_distance))),
         last_b_(b.size(), too_small_dot(largest_distance)),
@@ -155,9 +155,9 @@ class Comparison {
 
 }  // namespace
 
-FeatureComparison compare_features(const FeatureSet& a, const FeatureSet& b,
-                                   float largest_distance) {
-  return Comparison(a, b, largest_distance).result(largest_distance);
+FeatureComparison compare_features(const FeatureSet& a, const FeatureSet& b, float largest_distance,
+                                   const RepeatOptions& repeating) {
+  return Comparison(a, b, largest_distance, repeating).result(largest_distance);
 }
 
 }  // namespace roomcast::alignment

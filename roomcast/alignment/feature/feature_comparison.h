@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "roomcast/alignment/feature/feature_set.h"
+#include "roomcast/alignment/feature/repeats.h"
 
 namespace roomcast::alignment {
 
@@ -29,6 +30,7 @@ inline constexpr int kPartners = 3;
 
 /// Matches have descriptor distances below `largest_distance`.
 [[nodiscard]] FeatureComparison compare_features(const FeatureSet& a, const FeatureSet& b,
-                                                 float largest_distance);
+                                                 float largest_distance,
+                                                 const RepeatOptions& repeating = {});
 
 }  // namespace roomcast::alignment

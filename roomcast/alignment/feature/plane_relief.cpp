@@ -9,26 +9,26 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr float kCell_m = 0.04F;  // heights are means over 3x3 cells
-constexpr float kHighest_m = 0.05F, kHighestPerDepth = 0.01F;
-constexpr float kReliefCosine = 0.85F;  // cosine between normals
-constexpr int kMinReliefSamples = 3;
-constexpr int kMaxCells = 1024;  // along either axis: 40 m
+constexpr int kMaxCells = 1024;  // along either axis: 40 m in cells of 4 cm
 
-bool is_near(const Plane& plane, const SurfacePoint& sample) {
+bool is_near(const Plane& plane, const SurfacePoint& sample, const PlaneReliefOptions& options) {
   return std::abs(plane.height_m(sample.point_m)) <
-             kHighest_m + kHighestPerDepth * sample.point_m.z() &&
-         sample.normal.dot(plane.normal) > kReliefCosine;
+             options.highest_m + options.highest_per_depth * sample.point_m.z() &&
+         sample.normal.dot(plane.normal) > options.min_cosine;
 }
 
 }  // namespace
 
-PlaneRelief::PlaneRelief(const Plane& plane, std::span<const SurfacePoint> samples)
-    : right_(plane.normal.unitOrthogonal()), down_(plane.normal.cross(right_)) {
+PlaneRelief::PlaneRelief(const Plane& plane, std::span<const SurfacePoint> samples,
+                         const PlaneReliefOptions& options)
+    : cell_m_(options.cell_m),
+      min_samples_(options.min_samples),
+      right_(plane.normal.unitOrthogonal()),
+      down_(plane.normal.cross(right_)) {
   std::vector<std::pair<Place, float>> heights_m;
   Place last{};
   for (const SurfacePoint& sample : samples) {
-    if (!is_near(plane, sample)) continue;
+    if (!is_near(plane, sample, options)) continue;
     const Place place = place_of(sample.point_m);
     if (heights_m.empty()) first_ = last = place;
     first_ = {std::min(first_.column, place.column), std::min(first_.row, place.row)};
@@ -49,8 +49,8 @@ PlaneRelief::PlaneRelief(const Plane& plane, std::span<const SurfacePoint> sampl
 }
 
 PlaneRelief::Place PlaneRelief::place_of(const Eigen::Vector3f& point_m) const {
-  return {static_cast<int>(std::floor(right_.dot(point_m) / kCell_m)),
-          static_cast<int>(std::floor(down_.dot(point_m) / kCell_m))};
+  return {static_cast<int>(std::floor(right_.dot(point_m) / cell_m_)),
+          static_cast<int>(std::floor(down_.dot(point_m) / cell_m_))};
 }
 
 PlaneRelief::Cell PlaneRelief::around(const Place& place) const {
@@ -68,7 +68,7 @@ PlaneRelief::Cell PlaneRelief::around(const Place& place) const {
 
 std::optional<float> PlaneRelief::height_m(const Eigen::Vector3f& on_plane_m) const {
   const Cell found = around(place_of(on_plane_m));
-  if (found.count < kMinReliefSamples) return std::nullopt;
+  if (found.count < min_samples_) return std::nullopt;
   return found.sum_m / static_cast<float>(found.count);
 }
 

@@ -14,10 +14,6 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr float kThinning_m = 0.06F;  // one point for each cell of this size
-constexpr float kRadius_m = 0.25F;    // radius of a point's neighbourhood
-constexpr float kBends = 0.15F;       // least 1 - length of the mean normal around a point
-constexpr std::size_t kMinNeighbours = 8;
 constexpr std::size_t kPartners = 3;
 
 using Cell = std::tuple<int, int, int>;
@@ -28,10 +24,10 @@ Cell cell_of(const Eigen::Vector3f& point_m, float size_m) {
 }
 
 /// The first sample of each cell.
-std::vector<SurfacePoint> thinned(std::span<const SurfacePoint> samples) {
+std::vector<SurfacePoint> thinned(std::span<const SurfacePoint> samples, float cell_m) {
   std::map<Cell, SurfacePoint> cells;
   for (const SurfacePoint& sample : samples)
-    cells.try_emplace(cell_of(sample.point_m, kThinning_m), sample);
+    cells.try_emplace(cell_of(sample.point_m, cell_m), sample);
   std::vector<SurfacePoint> points;
   for (const auto& [cell, point] : cells) points.push_back(point);
   return points;
@@ -40,19 +36,19 @@ std::vector<SurfacePoint> thinned(std::span<const SurfacePoint> samples) {
 using Neighbours = std::vector<std::vector<std::uint32_t>>;
 
 /// For each point, the other points within the radius.
-Neighbours neighbours_of(std::span<const SurfacePoint> points) {
+Neighbours neighbours_of(std::span<const SurfacePoint> points, float radius_m) {
   std::map<Cell, std::vector<std::uint32_t>> cells;
   for (std::uint32_t i = 0; i < points.size(); ++i)
-    cells[cell_of(points[i].point_m, kRadius_m)].push_back(i);
+    cells[cell_of(points[i].point_m, radius_m)].push_back(i);
   Neighbours neighbours(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const auto [x, y, z] = cell_of(points[i].point_m, kRadius_m);
+    const auto [x, y, z] = cell_of(points[i].point_m, radius_m);
     for (int at = 0; at < 27; ++at) {
       const auto found = cells.find({x + at % 3 - 1, y + at / 3 % 3 - 1, z + at / 9 - 1});
       if (found == cells.end()) continue;
       for (const std::uint32_t j : found->second) {
         const float apart = (points[i].point_m - points[j].point_m).squaredNorm();
-        if (i != j && apart < kRadius_m * kRadius_m) neighbours[i].push_back(j);
+        if (i != j && apart < radius_m * radius_m) neighbours[i].push_back(j);
       }
     }
   }
@@ -92,21 +88,22 @@ std::vector<ShapeHistogram> simple_histograms(std::span<const SurfacePoint> poin
 }
 
 bool surroundings_bend(std::span<const SurfacePoint> points,
-                       const std::vector<std::uint32_t>& neighbours) {
+                       const std::vector<std::uint32_t>& neighbours, float min_bend) {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   for (const std::uint32_t j : neighbours) sum += points[j].normal;
-  return 1 - sum.norm() / static_cast<float>(neighbours.size()) > kBends;
+  return 1 - sum.norm() / static_cast<float>(neighbours.size()) > min_bend;
 }
 
 /// Mean of a point's own histogram and its neighbours', weighted by proximity.
 ShapeHistogram full_histogram(std::span<const SurfacePoint> points,
                               const std::vector<ShapeHistogram>& simple,
-                              const std::vector<std::uint32_t>& neighbours, std::size_t index) {
+                              const std::vector<std::uint32_t>& neighbours, std::size_t index,
+                              float near_m) {
   ShapeHistogram sum = simple[index];
   float weights = 1;
   for (const std::uint32_t j : neighbours) {
     const float apart = (points[j].point_m - points[index].point_m).norm();
-    const float weight = kThinning_m / (kThinning_m + apart) / 4;
+    const float weight = near_m / (near_m + apart) / 4;
     for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weight * simple[j][k];
     weights += weight;
   }
@@ -141,15 +138,18 @@ std::vector<std::size_t> nearest(const ShapeFeature& feature,
 
 }  // namespace
 
-std::vector<ShapeFeature> shape_features(std::span<const SurfacePoint> samples) {
-  const std::vector<SurfacePoint> points = thinned(samples);
-  const Neighbours neighbours = neighbours_of(points);
+std::vector<ShapeFeature> shape_features(std::span<const SurfacePoint> samples,
+                                         const ShapeFeatureOptions& options) {
+  const std::vector<SurfacePoint> points = thinned(samples, options.thinning_m);
+  const Neighbours neighbours = neighbours_of(points, options.radius_m);
   const std::vector<ShapeHistogram> simple = simple_histograms(points, neighbours);
   std::vector<ShapeFeature> features;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (neighbours[i].size() < kMinNeighbours || !surroundings_bend(points, neighbours[i]))
+    if (neighbours[i].size() < options.min_neighbours ||
+        !surroundings_bend(points, neighbours[i], options.min_bend))
       continue;
-    features.push_back({points[i].point_m, full_histogram(points, simple, neighbours[i], i)});
+    features.push_back(
+        {points[i].point_m, full_histogram(points, simple, neighbours[i], i, options.thinning_m)});
   }
   return features;
 }

@@ -12,11 +12,7 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr int kOctaveLayers = 3;
-constexpr double kClaheLimit = 2;
-constexpr int kClaheTiles = 8;
-constexpr int kMinTilt = 0, kMaxTilt = 3;  // tilts of affine SIFT: a factor sqrt(2) each
-constexpr int kMinSide = 16;               // pixels; nothing is found in smaller pictures
+constexpr int kMinSide = 16;  // pixels; nothing is found in smaller pictures
 // OpenCV detects in a picture of twice the size, whose pixel 2x is at x - 0.25, but reports x.
 constexpr float kTooFar_px = 0.25F;
 
@@ -26,9 +22,10 @@ cv::Mat mat_of(ImageView<const std::uint8_t> image) {
           static_cast<std::size_t>(image.stride)};
 }
 
-cv::Mat equalised(ImageView<const std::uint8_t> grey) {
+cv::Mat equalised(ImageView<const std::uint8_t> grey, const SiftOptions& options) {
   cv::Mat out;
-  cv::createCLAHE(kClaheLimit, {kClaheTiles, kClaheTiles})->apply(mat_of(grey), out);
+  cv::createCLAHE(options.clahe_limit, {options.clahe_tiles, options.clahe_tiles})
+      ->apply(mat_of(grey), out);
   return out;
 }
 
@@ -47,8 +44,8 @@ std::vector<std::size_t> in_order(const std::vector<cv::KeyPoint>& points) {
 }
 
 std::vector<SiftFeature> detect(cv::Feature2D& detector, ImageView<const std::uint8_t> grey,
-                                MaskView mask) {
-  const cv::Mat picture = equalised(grey);
+                                MaskView mask, const SiftOptions& options) {
+  const cv::Mat picture = equalised(grey, options);
   const cv::Mat wanted = mask.data == nullptr ? cv::Mat() : mat_of(mask);
   std::vector<cv::KeyPoint> points;
   cv::Mat histograms;  // both in one call: they share the pyramid, which is the costly part
@@ -65,7 +62,7 @@ std::vector<SiftFeature> detect(cv::Feature2D& detector, ImageView<const std::ui
 }
 
 cv::Ptr<cv::SIFT> sift_of(const SiftOptions& options) {
-  return cv::SIFT::create(options.max_features, kOctaveLayers, options.min_contrast,
+  return cv::SIFT::create(options.max_features, options.octave_layers, options.min_contrast,
                           options.largest_edge_ratio);
 }
 
@@ -76,17 +73,17 @@ bool is_large_enough(ImageView<const std::uint8_t> grey) {
 }  // namespace
 
 std::vector<SiftFeature> detect_affine_sift(ImageView<const std::uint8_t> grey,
-                                            const SiftOptions& options) {
+                                            const SiftOptions& options, int max_tilt) {
   if (!is_large_enough(grey)) return {};
   cv::setNumThreads(1);
-  return detect(*cv::AffineFeature::create(sift_of(options), kMaxTilt, kMinTilt), grey, {});
+  return detect(*cv::AffineFeature::create(sift_of(options), max_tilt), grey, {}, options);
 }
 
 std::vector<SiftFeature> detect_sift(ImageView<const std::uint8_t> grey, MaskView mask,
                                      const SiftOptions& options) {
   if (!is_large_enough(grey)) return {};
   cv::setNumThreads(1);
-  return detect(*sift_of(options), grey, mask);
+  return detect(*sift_of(options), grey, mask, options);
 }
 
 }  // namespace roomcast::alignment
