@@ -5,13 +5,8 @@
 #include <cmath>
 #include <span>
 
-#include "roomcast/alignment/feature/repeats.h"
-
 namespace roomcast::alignment {
 namespace {
-
-constexpr float kLargestDescriptorDistance = 0.75F;
-constexpr float kLargestSizeOctaves = 0.6F;  // between metric sizes of the same feature
 
 std::vector<float> look_alikes(const FeatureSet& set) {
   std::vector<float> distances;
@@ -24,28 +19,32 @@ void lower(std::vector<float>& distances, std::span<const float> others) {
     distances[i] = std::min(distances[i], others[i]);
 }
 
-bool sizes_agree(const Feature& a, const Feature& b) {
+bool sizes_agree(const Feature& a, const Feature& b, float max_octaves) {
   if (a.size_m == 0 || b.size_m == 0) return true;
-  return std::abs(std::log2(a.size_m / b.size_m)) < kLargestSizeOctaves;
+  return std::abs(std::log2(a.size_m / b.size_m)) < max_octaves;
 }
 
 void add_matches(const FeatureSet& a, std::span<const float> alike_a, const FeatureSet& b,
                  std::span<const float> alike_b, const FeatureComparison& comparison,
+                 const MatchingOptions& options, const RepeatOptions& repeating,
                  std::vector<PointMatch>& matches) {
   for (const DescriptorMatch& match : comparison.matches) {
     const Feature& in_a = a.features[match.a];
     const Feature& in_b = b.features[match.b];
-    if (!sizes_agree(in_a, in_b)) continue;
+    if (!sizes_agree(in_a, in_b, options.max_size_octaves)) continue;
     matches.push_back({in_a.point_m, in_b.point_m, in_a.pixel, in_b.pixel,
-                       uniqueness(match.distance, alike_a[match.a], alike_b[match.b])});
+                       uniqueness(match.distance, alike_a[match.a], alike_b[match.b], repeating)});
   }
 }
 
 }  // namespace
 
-ViewComparison compare_views(const SensorView& a, const SensorView& b) {
-  return {compare_features(a.picture_features, b.picture_features, kLargestDescriptorDistance),
-          compare_features(a.rectified_features, b.rectified_features, kLargestDescriptorDistance)};
+ViewComparison compare_views(const SensorView& a, const SensorView& b,
+                             const MatchingOptions& options) {
+  const float max_distance = options.max_descriptor_distance;
+  const RepeatOptions& repeating = a.options.repeating;
+  return {compare_features(a.picture_features, b.picture_features, max_distance, repeating),
+          compare_features(a.rectified_features, b.rectified_features, max_distance, repeating)};
 }
 
 DescriptorAmbiguity own_ambiguity(const SensorView& view) {
@@ -64,22 +63,28 @@ void add_repeats_of_a(const ViewComparison& comparison, DescriptorAmbiguity& of_
 
 std::vector<PointMatch> weighted_matches(const SensorView& a, const DescriptorAmbiguity& of_a,
                                          const SensorView& b, const DescriptorAmbiguity& of_b,
-                                         const ViewComparison& comparison) {
+                                         const ViewComparison& comparison,
+                                         const MatchingOptions& options) {
   std::vector<PointMatch> matches;
   add_matches(a.picture_features, of_a.of_picture_features, b.picture_features,
-              of_b.of_picture_features, comparison.in_pictures, matches);
+              of_b.of_picture_features, comparison.in_pictures, options, a.options.repeating,
+              matches);
   add_matches(a.rectified_features, of_a.of_rectified_features, b.rectified_features,
-              of_b.of_rectified_features, comparison.on_planes, matches);
+              of_b.of_rectified_features, comparison.on_planes, options, a.options.repeating,
+              matches);
   return matches;
 }
 
-std::vector<PointMatch> affine_matches(const FeatureSet& a, const FeatureSet& b) {
-  const FeatureComparison comparison = compare_features(a, b, kLargestDescriptorDistance);
+std::vector<PointMatch> affine_matches(const FeatureSet& a, const FeatureSet& b,
+                                       const MatchingOptions& options,
+                                       const RepeatOptions& repeating) {
+  const FeatureComparison comparison =
+      compare_features(a, b, options.max_descriptor_distance, repeating);
   std::vector<float> alike_a = look_alikes(a), alike_b = look_alikes(b);
   lower(alike_a, comparison.a_to_repeat);
   lower(alike_b, comparison.b_to_repeat);
   std::vector<PointMatch> matches;
-  add_matches(a, alike_a, b, alike_b, comparison, matches);
+  add_matches(a, alike_a, b, alike_b, comparison, options, repeating, matches);
   return matches;
 }
 

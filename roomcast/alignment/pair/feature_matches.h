@@ -12,6 +12,19 @@
 
 namespace roomcast::alignment {
 
+struct MatchingOptions {
+  float max_descriptor_distance = 0.75F;  // 0..2; loose, because votes sort out wrong matches.
+                                          // Chosen on the development rooms (alignment_options.h)
+  float max_size_octaves = 0.6F;          // between metric sizes of one feature; the prototype's
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("max_descriptor_distance", max_descriptor_distance, Range{0, 2});
+    visit("max_size_octaves", max_size_octaves, Range{0, 10});
+  }
+  [[nodiscard]] Status check() const { return check_fields("MatchingOptions", *this); }
+};
+
 struct ViewComparison {
   FeatureComparison in_pictures, on_planes;
 
@@ -20,7 +33,8 @@ struct ViewComparison {
   void free_matches() { in_pictures.matches = on_planes.matches = {}; }
 };
 
-[[nodiscard]] ViewComparison compare_views(const SensorView& a, const SensorView& b);
+[[nodiscard]] ViewComparison compare_views(const SensorView& a, const SensorView& b,
+                                           const MatchingOptions& options = {});
 
 /// For every feature of a view: the descriptor distance to its nearest look-alike
 /// (feature/repeats.h).
@@ -39,10 +53,13 @@ void add_repeats_of_a(const ViewComparison& comparison, DescriptorAmbiguity& of_
                                                        const DescriptorAmbiguity& of_a,
                                                        const SensorView& b,
                                                        const DescriptorAmbiguity& of_b,
-                                                       const ViewComparison& comparison);
+                                                       const ViewComparison& comparison,
+                                                       const MatchingOptions& options = {});
 
 /// Matches of affine features, whose `nearest_similar_distance` must be set. Repeats in third views
 /// are ignored because affine features are so many.
-[[nodiscard]] std::vector<PointMatch> affine_matches(const FeatureSet& a, const FeatureSet& b);
+[[nodiscard]] std::vector<PointMatch> affine_matches(const FeatureSet& a, const FeatureSet& b,
+                                                     const MatchingOptions& options = {},
+                                                     const RepeatOptions& repeating = {});
 
 }  // namespace roomcast::alignment

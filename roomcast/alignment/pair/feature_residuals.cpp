@@ -8,10 +8,7 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr double kMinSigma_px = 0.6, kMaxSigma_px = 3;
 constexpr double kMedianOfRayleigh = 1.1774;  // median distance, in sigmas of each coordinate
-constexpr double kFurthest_px = 25;
-constexpr double kNearest_m = 0.2;
 
 using Matrix23 = Eigen::Matrix<double, 2, 3>;
 using Matrix32 = Eigen::Matrix<double, 3, 2>;
@@ -60,14 +57,15 @@ struct Reprojection {
 };
 
 std::optional<Reprojection> reproject(const Camera& camera, const Eigen::Vector3d& point_m,
-                                      const Eigen::Vector2f& seen) {
+                                      const Eigen::Vector2f& seen,
+                                      const FeatureResidualOptions& options) {
   const Eigen::Vector3d p = camera.color_from_depth * point_m + camera.color_from_depth_m;
-  if (!(p.z() > kNearest_m)) return std::nullopt;
+  if (!(p.z() > options.nearest_m)) return std::nullopt;
   const Eigen::Vector2d pixel(camera.fx * p.x() / p.z() + camera.cx,
                               camera.fy * p.y() / p.z() + camera.cy);
   Reprojection out;
   out.residual_px = pixel - seen.cast<double>() - camera.correction.color_shift_px;
-  if (!(out.residual_px.norm() < kFurthest_px)) return std::nullopt;
+  if (!(out.residual_px.norm() < options.max_residual_px)) return std::nullopt;
   Matrix23 by_color_point;
   by_color_point << camera.fx / p.z(), 0, -camera.fx * p.x() / (p.z() * p.z()),  //
       0, camera.fy / p.z(), -camera.fy * p.y() / (p.z() * p.z());
@@ -93,14 +91,15 @@ void visit_rows(const PointMatch& match, const Reprojection& at, const PairJacob
 
 template <class Visit>
 void for_each_term(const ColorPicture& a, const ColorPicture& b, const PairState& state,
-                   std::span<const PointMatch> matches, const FeatureTrust& trust, Visit visit) {
+                   std::span<const PointMatch> matches, const FeatureTrust& trust,
+                   const FeatureResidualOptions& options, Visit visit) {
   const Camera camera_a(a, state.a), camera_b(b, state.b);
   const Eigen::Matrix3d& a_from_b = state.a_from_b.rotation;
   const RigidTransform b_from_a = state.a_from_b.inverse();
   for (const PointMatch& match : matches) {
     const Lifted of_a(camera_a, match.a_m), of_b(camera_b, match.b_m);
     const Eigen::Vector3d in_a = state.a_from_b * of_b.point_m;
-    if (const auto at = reproject(camera_a, in_a, match.a_pixel)) {
+    if (const auto at = reproject(camera_a, in_a, match.a_pixel, options)) {
       PairJacobian jacobian = PairJacobian::Zero();
       jacobian.leftCols<3>() = -at->by_point * cross_matrix(in_a);
       jacobian.middleCols<3>(3) = at->by_point;
@@ -108,7 +107,7 @@ void for_each_term(const ColorPicture& a, const ColorPicture& b, const PairState
       jacobian.middleCols<kCorrectionUnknowns>(kOfB) = at->by_point * a_from_b * of_b.by_correction;
       visit_rows(match, *at, jacobian, trust, visit);
     }
-    if (const auto at = reproject(camera_b, b_from_a * of_a.point_m, match.b_pixel)) {
+    if (const auto at = reproject(camera_b, b_from_a * of_a.point_m, match.b_pixel, options)) {
       const Matrix23 by_a = at->by_point * b_from_a.rotation;
       PairJacobian jacobian = PairJacobian::Zero();
       jacobian.leftCols<3>() = by_a * cross_matrix(of_a.point_m);
@@ -124,9 +123,9 @@ void for_each_term(const ColorPicture& a, const ColorPicture& b, const PairState
 
 PairEquations feature_equations(const ColorPicture& a, const ColorPicture& b,
                                 const PairState& state, std::span<const PointMatch> matches,
-                                const FeatureTrust& trust) {
+                                const FeatureTrust& trust, const FeatureResidualOptions& options) {
   PairEquations sum;
-  for_each_term(a, b, state, matches, trust,
+  for_each_term(a, b, state, matches, trust, options,
                 [&](const PointMatch&, const PairVector& jacobian, double residual, double weight) {
                   sum.add(jacobian, residual, weight);
                 });
@@ -135,9 +134,9 @@ PairEquations feature_equations(const ColorPicture& a, const ColorPicture& b,
 
 void add_feature_scores(const ColorPicture& a, const ColorPicture& b, const PairState& state,
                         std::span<const PointMatch> matches, const FeatureTrust& trust,
-                        PairScores& scores) {
+                        PairScores& scores, const FeatureResidualOptions& options) {
   for_each_term(
-      a, b, state, matches, trust,
+      a, b, state, matches, trust, options,
       [&](const PointMatch& match, const PairVector& jacobian, double residual, double weight) {
         scores.add(match.a_m.cast<double>(), match.b_m.cast<double>(),
                    weight * residual * jacobian);
@@ -145,21 +144,22 @@ void add_feature_scores(const ColorPicture& a, const ColorPicture& b, const Pair
 }
 
 double feature_sigma_px(const ColorPicture& a, const ColorPicture& b, const PairState& state,
-                        std::span<const PointMatch> matches) {
+                        std::span<const PointMatch> matches,
+                        const FeatureResidualOptions& options) {
   const Camera camera_a(a, state.a), camera_b(b, state.b);
   const RigidTransform b_from_a = state.a_from_b.inverse();
   std::vector<double> away_px;
   for (const PointMatch& match : matches) {
     const Lifted of_a(camera_a, match.a_m), of_b(camera_b, match.b_m);
-    const auto in_a = reproject(camera_a, state.a_from_b * of_b.point_m, match.a_pixel);
-    const auto in_b = reproject(camera_b, b_from_a * of_a.point_m, match.b_pixel);
+    const auto in_a = reproject(camera_a, state.a_from_b * of_b.point_m, match.a_pixel, options);
+    const auto in_b = reproject(camera_b, b_from_a * of_a.point_m, match.b_pixel, options);
     if (in_a) away_px.push_back(in_a->residual_px.norm());
     if (in_b) away_px.push_back(in_b->residual_px.norm());
   }
-  if (away_px.empty()) return kMaxSigma_px;
+  if (away_px.empty()) return options.max_sigma_px;
   const auto middle = away_px.begin() + static_cast<std::ptrdiff_t>(away_px.size() / 2);
   std::nth_element(away_px.begin(), middle, away_px.end());
-  return std::clamp(*middle / kMedianOfRayleigh, kMinSigma_px, kMaxSigma_px);
+  return std::clamp(*middle / kMedianOfRayleigh, options.min_sigma_px, options.max_sigma_px);
 }
 
 }  // namespace roomcast::alignment

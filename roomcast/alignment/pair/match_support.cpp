@@ -9,7 +9,6 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr float kWeightCell_m = 0.10F, kCountCell_m = 0.05F;
 constexpr std::int64_t kCellsPerAxis = 1 << 16;
 
 std::int64_t cell_of(const Eigen::Vector3f& point_m, float size_m) {
@@ -32,12 +31,13 @@ std::vector<PointMatch> agreeing_matches(std::span<const PointMatch> matches,
   return agreeing;
 }
 
-MatchSupport match_support(std::span<const PointMatch> agreeing) {
+MatchSupport match_support(std::span<const PointMatch> agreeing,
+                           const MatchSupportOptions& options) {
   std::vector<std::pair<std::int64_t, float>> weights;
   std::vector<std::int64_t> cells;
   for (const PointMatch& match : agreeing) {
-    weights.emplace_back(cell_of(match.b_m, kWeightCell_m), -match.weight);
-    cells.push_back(cell_of(match.b_m, kCountCell_m));
+    weights.emplace_back(cell_of(match.b_m, options.weight_cell_m), -match.weight);
+    cells.push_back(cell_of(match.b_m, options.count_cell_m));
   }
   std::sort(weights.begin(), weights.end());  // the best match of a cell comes first
   std::sort(cells.begin(), cells.end());

@@ -5,80 +5,51 @@
 #include <utility>
 
 #include "roomcast/alignment/pair/corrected_matches.h"
-#include "roomcast/alignment/pair/pose_difference.h"
-#include "roomcast/alignment/pair/shape_hypotheses.h"
 
 namespace roomcast::alignment {
 namespace {
 
-constexpr float kInlier_m = 0.07F;
-constexpr std::size_t kMaxCandidates = 12;
-
-// The score. Its unit is the weight of one unique match.
-constexpr double kMaxMatchScore = 60;
-constexpr double kViolationScore = 300, kForgivenConflict = 0.03;
-constexpr double kSolidScore = 1;  // per violating block
-constexpr double kPhotoScore = 1500, kNeutralCorrelation = 0.35, kMaxPhotoScore = 60;
-
-// Limits: a pose beyond them is refuted, whatever its matches.
-constexpr double kMaxConflict = 0.12, kNegligibleViolation = 0.01;
-constexpr double kRefuted = -15;
-constexpr double kMinTextured = 0.01;
-
-constexpr double kStrongSupport = 8, kStrongOverlap = 0.03;
-// At large viewing angles few features match well. Many places that agree weakly then count too, if
-// all other evidence supports the pose.
-constexpr double kFaintSupport = 3.5, kFaintScore = 20;
-constexpr int kFaintCells = 20;
-constexpr double kPooledScore = 40;
-constexpr double kStrongCorrelation = 0.40, kStrongTextured = 0.004;
-
-/// For colour slightly misaligned with depth, and for views so far apart that hardly any match is
-/// right. This vote also finds rivals, so it is used only for pairs without a plausible candidate.
-constexpr VoteOptions kCoarseVote{4000, 400, 24, 0.1F, 0.04F};
-
-constexpr double kMinSupportKept = 0.5;  // share of the match weight that refinement must keep
-constexpr double kMaxRefinedShift_m = 0.3;
-
-bool violates_space(const FreeSpaceCheck& space) {
-  return space.conflict() > kMaxConflict && space.violating > kNegligibleViolation;
+bool violates_space(const FreeSpaceCheck& space, const EvidenceOptions& options) {
+  return space.conflict() > options.max_conflict && space.violating > options.negligible_violation;
 }
 
-double photo_score(const PhotoConsistency& photo) {
-  return kPhotoScore * photo.textured * (photo.correlation - kNeutralCorrelation);
+double photo_score(const PhotoConsistency& photo, const EvidenceOptions& options) {
+  return options.per_texture * photo.textured * (photo.correlation - options.neutral_correlation);
 }
 
-double score_of(const PoseEvidence& evidence) {
+double score_of(const PoseEvidence& evidence, const EvidenceOptions& options) {
   const FreeSpaceCheck& space = evidence.space;
   const PhotoConsistency& photo = evidence.photo;
-  double score = std::min(evidence.matches.weight, kMaxMatchScore);
-  score -=
-      kViolationScore *
-      std::max(0.0, space.violating - kForgivenConflict * (space.consistent + space.violating));
-  score -= kSolidScore * static_cast<double>(evidence.solid.violating);
-  score += std::clamp(photo_score(photo), -kMaxPhotoScore, kMaxPhotoScore);
-  if (violates_space(space)) score = std::min(score, 0.0) + kRefuted;
+  double score = std::min(evidence.matches.weight, options.max_matches);
+  score -= options.per_violation *
+           std::max(0.0, space.violating -
+                             options.forgiven_conflict * (space.consistent + space.violating));
+  score -= options.per_solid_block * static_cast<double>(evidence.solid.violating);
+  score += std::clamp(photo_score(photo, options), -options.max_photo, options.max_photo);
+  if (violates_space(space, options)) score = std::min(score, 0.0) + options.refuted;
   const bool looks_different =
-      photo.textured > kMinTextured && photo.correlation < kNeutralCorrelation;
+      photo.textured > options.min_textured && photo.correlation < options.neutral_correlation;
   return looks_different ? std::min(score, 0.0) : score;
 }
 
 }  // namespace
 
-bool is_strong(const PoseEvidence& evidence) {
-  const bool faintly_supported = evidence.matches.weight >= kFaintSupport &&
-                                 evidence.matches.cells >= kFaintCells &&
-                                 evidence.score >= kFaintScore;
-  return (evidence.matches.weight >= kStrongSupport || faintly_supported) &&
-         evidence.space.consistent > kStrongOverlap && evidence.space.conflict() <= kMaxConflict &&
-         evidence.photo.correlation > kStrongCorrelation &&
-         evidence.photo.textured > kStrongTextured;
+bool is_strong(const PoseEvidence& evidence, const EvidenceOptions& options) {
+  const bool faintly_supported = evidence.matches.weight >= options.faint_support &&
+                                 evidence.matches.cells >= options.faint_cells &&
+                                 evidence.score >= options.faint_score;
+  return (evidence.matches.weight >= options.strong_support || faintly_supported) &&
+         evidence.space.consistent > options.strong_overlap &&
+         evidence.space.conflict() <= options.max_conflict &&
+         evidence.photo.correlation > options.strong_correlation &&
+         evidence.photo.textured > options.strong_textured;
 }
 
-bool fits_better(const PoseEvidence& one, const PoseEvidence& other) {
+bool fits_better(const PoseEvidence& one, const PoseEvidence& other,
+                 const EvidenceOptions& options) {
   if (one.score <= 0 || other.score <= 0) return one.score > other.score;
-  const auto beyond = [](const PoseEvidence& evidence) {
-    return std::max(0.0, photo_score(evidence.photo) - kMaxPhotoScore);
+  const auto beyond = [&](const PoseEvidence& evidence) {
+    return std::max(0.0, photo_score(evidence.photo, options) - options.max_photo);
   };
   return one.score + beyond(one) > other.score + beyond(other);
 }
@@ -91,20 +62,24 @@ void PooledEvidence::add(const PoseEvidence& evidence) {
   cells += evidence.matches.cells;
 }
 
-bool is_strong(const PooledEvidence& evidence) {
-  return evidence.support >= kFaintSupport && evidence.cells >= kFaintCells &&
-         evidence.score >= kPooledScore && evidence.textured > kStrongTextured &&
-         evidence.correlated > kStrongCorrelation * evidence.textured;
+bool is_strong(const PooledEvidence& evidence, const EvidenceOptions& options) {
+  return evidence.support >= options.faint_support && evidence.cells >= options.faint_cells &&
+         evidence.score >= options.pooled_score && evidence.textured > options.strong_textured &&
+         evidence.correlated > options.strong_correlation * evidence.textured;
 }
 
 PairCandidates::PairCandidates(const SensorView& a, const SensorView& b,
-                               std::vector<PointMatch> matches)
-    : a_(&a), b_(&b), matches_(std::move(matches)) {
+                               std::vector<PointMatch> matches, const PairOptions& options)
+    : a_(&a), b_(&b), options_(options), matches_(std::move(matches)) {
   if (same_pictures()) return;
-  rank(vote_for_poses(matches_), ColorCalibration::kAsCalibrated);
+  rank(vote_for_poses(matches_, options_.voting, options_.support),
+       ColorCalibration::kAsCalibrated);
   if (!is_conclusive())
-    rank(hypotheses_by_shape(a_->surface, b_->surface), ColorCalibration::kAsCalibrated);
-  if (!has_plausible()) rank(vote_for_poses(matches_, kCoarseVote), ColorCalibration::kUncertain);
+    rank(hypotheses_by_shape(a_->surface, b_->surface, options_.shapes, options_.support),
+         ColorCalibration::kAsCalibrated);
+  if (!has_plausible())
+    rank(vote_for_poses(matches_, options_.coarse_voting, options_.support),
+         ColorCalibration::kUncertain);
 }
 
 void PairCandidates::add_affine_matches(const std::vector<PointMatch>& more) {
@@ -113,8 +88,11 @@ void PairCandidates::add_affine_matches(const std::vector<PointMatch>& more) {
   for (const PoseEvidence& each : ranked_)
     known.push_back(examine({each.a_from_b, each.correction_a, each.correction_b}));
   keep_best(std::move(known));
-  rank(vote_for_poses(matches_), ColorCalibration::kAsCalibrated);
-  if (!has_plausible()) rank(vote_for_poses(matches_, kCoarseVote), ColorCalibration::kUncertain);
+  rank(vote_for_poses(matches_, options_.voting, options_.support),
+       ColorCalibration::kAsCalibrated);
+  if (!has_plausible())
+    rank(vote_for_poses(matches_, options_.coarse_voting, options_.support),
+         ColorCalibration::kUncertain);
 }
 
 /// Refines and scores hypotheses, and merges them into the ranking.
@@ -131,25 +109,28 @@ void PairCandidates::keep_best(std::vector<PoseEvidence> found) {
   for (const PoseEvidence& candidate : found) {
     const bool is_new =
         std::all_of(ranked_.begin(), ranked_.end(), [&](const PoseEvidence& better) {
-          return are_rivals(candidate.a_from_b, better.a_from_b);
+          return are_rivals(candidate.a_from_b, better.a_from_b, options_.rivals);
         });
-    if (is_new && ranked_.size() < kMaxCandidates) ranked_.push_back(candidate);
+    if (is_new && ranked_.size() < options_.max_candidates) ranked_.push_back(candidate);
   }
 }
 
 bool PairCandidates::is_conclusive() const {
-  return !ranked_.empty() && is_strong(ranked_[0]) && margin() > kMinMargin;
+  return !ranked_.empty() && is_strong(ranked_[0], options_.evidence) &&
+         margin() > options_.evidence.min_margin;
 }
 
 bool PairCandidates::has_plausible() const {
-  return std::ranges::any_of(ranked_, [](const PoseEvidence& each) {
-    return is_strong(each) && each.score > kPoseCost + kMinMargin;
+  const EvidenceOptions& options = options_.evidence;
+  return std::ranges::any_of(ranked_, [&](const PoseEvidence& each) {
+    return is_strong(each, options) && each.score > options.pose_cost + options.min_margin;
   });
 }
 
 const PoseEvidence* PairCandidates::nearest(const RigidTransform& a_from_b) const {
-  const auto found = std::ranges::find_if(
-      ranked_, [&](const PoseEvidence& known) { return !are_rivals(known.a_from_b, a_from_b); });
+  const auto found = std::ranges::find_if(ranked_, [&](const PoseEvidence& known) {
+    return !are_rivals(known.a_from_b, a_from_b, options_.rivals);
+  });
   return found == ranked_.end() ? nullptr : &*found;
 }
 
@@ -172,14 +153,18 @@ PoseEvidence PairCandidates::examine(const PairState& state) const {
   evidence.a_from_b = a_from_b;
   evidence.correction_a = state.a;
   evidence.correction_b = state.b;
-  evidence.matches = match_support(agreeing_matches(
-      corrected_matches(matches_, a_->picture, b_->picture, state), a_from_b, kInlier_m));
-  evidence.space = check_free_space(a_->surface, b_->surface, a_from_b, kTestedPoints);
-  if (!violates_space(evidence.space)) {
-    evidence.solid = check_solid_conflict(a_->surface, b_->surface, a_from_b);
-    evidence.photo = check_photo_consistency(*a_, *b_, state);
+  evidence.matches =
+      match_support(agreeing_matches(corrected_matches(matches_, a_->picture, b_->picture, state),
+                                     a_from_b, options_.inlier_m),
+                    options_.support);
+  const FreeSpaceOptions& space = options_.free_space;
+  evidence.space = check_free_space(a_->surface, b_->surface, a_from_b, space.points, space);
+  if (!violates_space(evidence.space, options_.evidence)) {
+    evidence.solid = check_solid_conflict(a_->surface, b_->surface, a_from_b, space);
+    evidence.photo =
+        check_photo_consistency(*a_, *b_, state, options_.photo_consistency, options_.reprojection);
   }
-  evidence.score = score_of(evidence);
+  evidence.score = score_of(evidence, options_.evidence);
   return evidence;
 }
 
@@ -188,13 +173,15 @@ PoseEvidence PairCandidates::examine(const PairState& state) const {
 PoseEvidence PairCandidates::settled(const PoseHypothesis& hypothesis,
                                      ColorCalibration color) const {
   const RigidTransform& start = hypothesis.a_from_b;
-  const PairState moved = refined_pose(*a_, *b_, matches_, start, color);
+  const PairState moved =
+      refined_pose(*a_, *b_, matches_, start, color, options_.refinement, options_.residuals);
   const PoseEvidence before = examine(start);
-  if (difference(moved.a_from_b, start, Eigen::Vector3d::Zero()).distance_m > kMaxRefinedShift_m)
+  if (difference(moved.a_from_b, start, Eigen::Vector3d::Zero()).distance_m >
+      options_.max_refined_shift_m)
     return before;
   const PoseEvidence after = examine(moved);
-  if (after.matches.weight < kMinSupportKept * before.matches.weight) return before;
-  return fits_better(after, before) ? after : before;
+  if (after.matches.weight < options_.min_support_kept * before.matches.weight) return before;
+  return fits_better(after, before, options_.evidence) ? after : before;
 }
 
 }  // namespace roomcast::alignment

@@ -14,8 +14,9 @@ constexpr double kMinTrace = 1e-6;
 constexpr double kDamping = 1e-9;  // share of the trace: unconstrained unknowns do not move
 constexpr double kHeld = 1e12;     // information on fixed unknowns
 
-void add_prior(const SensorCorrection& correction, Eigen::Index first, PairEquations& equations) {
-  const double weight = shift_prior_weight(correction.color_shift_px);
+void add_prior(const SensorCorrection& correction, Eigen::Index first,
+               const ColorShiftOptions& shift, PairEquations& equations) {
+  const double weight = shift_prior_weight(correction.color_shift_px, shift);
   equations.information.diagonal().segment<2>(first + kShift).array() += weight;
   equations.gradient.segment<2>(first + kShift) += weight * correction.color_shift_px;
 }
@@ -52,11 +53,12 @@ Vector6 solve_motion(const PairEquations& equations) {
   return information.ldlt().solve(-equations.gradient.head<6>());
 }
 
-PairVector solve_state(PairEquations equations, const PairState& at) {
+PairVector solve_state(PairEquations equations, const PairState& at,
+                       const ColorShiftOptions& shift) {
   const double trace = equations.information.topLeftCorner<6, 6>().trace();
   if (!(trace > kMinTrace)) return PairVector::Zero();
-  add_prior(at.a, kOfA, equations);
-  add_prior(at.b, kOfB, equations);
+  add_prior(at.a, kOfA, shift, equations);
+  add_prior(at.b, kOfB, shift, equations);
   equations.information.diagonal().head<6>().array() += kDamping * trace;
   for (const Eigen::Index of : {kOfA, kOfB})
     equations.information.diagonal().segment<2>(of + kDepth).array() += kHeld;

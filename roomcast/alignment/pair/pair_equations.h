@@ -59,7 +59,8 @@ struct PairEquations {
 [[nodiscard]] Vector6 solve_motion(const PairEquations& equations);
 
 /// One step of motion and colour corrections; depth stays fixed.
-[[nodiscard]] PairVector solve_state(PairEquations equations, const PairState& at);
+[[nodiscard]] PairVector solve_state(PairEquations equations, const PairState& at,
+                                     const ColorShiftOptions& shift = {});
 void move(const PairVector& step, PairState& state);
 
 /// Weight of a residual (in sigmas) that may be an outlier: Geman & McClure 1985.

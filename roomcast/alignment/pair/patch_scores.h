@@ -20,14 +20,25 @@ struct PatchScore {
   double weight = 0, residual = 0;        // of surface terms: sums of w and w r
 };
 
-/// By patch, which is about 20 degrees wide and high.
+/// By patch.
 using PatchScores = std::map<int, PatchScore>;
 
-[[nodiscard]] int patch_of(const Eigen::Vector3d& point_m);
+struct PatchOptions {
+  double tangent = 0.35;  // width and height of a patch: 20 degrees in the middle; by hand
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("tangent", tangent, Range{0.01, 10});
+  }
+  [[nodiscard]] Status check() const { return check_fields("PatchOptions", *this); }
+};
+
+[[nodiscard]] int patch_of(const Eigen::Vector3d& point_m, const PatchOptions& options = {});
 
 /// Scores of a pair, by the patches of either sensor's picture.
 struct PairScores {
   PatchScores of_a, of_b;
+  PatchOptions patches = {};
 
   /// Adds a term of `PairEquations` about a point in both sensors' frames.
   void add(const Eigen::Vector3d& a_m, const Eigen::Vector3d& b_m, const PairVector& score);

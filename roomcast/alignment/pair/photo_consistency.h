@@ -7,8 +7,28 @@
 
 #include "roomcast/alignment/feature/sensor_view.h"
 #include "roomcast/alignment/pair/pair_equations.h"
+#include "roomcast/alignment/pair/reprojected_views.h"
 
 namespace roomcast::alignment {
+
+/// Chosen on the development rooms (alignment_options.h).
+struct PhotoConsistencyOptions {
+  int reach = 5;                // windows of 11 x 11 grid points
+  double min_filled = 0.5;      // share of a window that both see
+  double min_contrast = 4;      // grey levels: standard deviation in either view
+  double full_contrast = 25;    // at which a window has full weight
+  std::size_t min_points = 50;  // common to both
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("reach", reach, Range{1, 100});
+    visit("min_filled", min_filled, Range{0.01, 1});
+    visit("min_contrast", min_contrast, Range{0, 255});
+    visit("full_contrast", full_contrast, Range{0.1, 255});
+    visit("min_points", min_points, Range{1, 1e6});
+  }
+  [[nodiscard]] Status check() const { return check_fields("PhotoConsistencyOptions", *this); }
+};
 
 struct PhotoConsistency {
   double textured = 0;     // share of a view that is common and has contrast, weighted by contrast
@@ -16,7 +36,8 @@ struct PhotoConsistency {
 };
 
 /// Colour is corrected by the state's shifts.
-[[nodiscard]] PhotoConsistency check_photo_consistency(const SensorView& a, const SensorView& b,
-                                                       const PairState& state);
+[[nodiscard]] PhotoConsistency check_photo_consistency(
+    const SensorView& a, const SensorView& b, const PairState& state,
+    const PhotoConsistencyOptions& options = {}, const ReprojectionOptions& reprojection = {});
 
 }  // namespace roomcast::alignment

@@ -6,12 +6,6 @@
 #include <numbers>
 
 namespace roomcast::alignment {
-namespace {
-
-constexpr double kRivalAngle_rad = 4 * std::numbers::pi / 180;
-constexpr double kRivalDistance_m = 0.2;
-
-}  // namespace
 
 PoseDifference difference(const RigidTransform& one, const RigidTransform& other,
                           const Eigen::Vector3d& at_m) {
@@ -20,9 +14,10 @@ PoseDifference difference(const RigidTransform& one, const RigidTransform& other
   return {2 * std::asin(std::clamp(sine, 0.0, 1.0)), (one * at_m - other * at_m).norm()};
 }
 
-bool are_rivals(const RigidTransform& one, const RigidTransform& other) {
+bool are_rivals(const RigidTransform& one, const RigidTransform& other,
+                const RivalOptions& options) {
   const PoseDifference apart = difference(one, other);
-  return apart.angle_rad > kRivalAngle_rad || apart.distance_m > kRivalDistance_m;
+  return apart.angle_rad > options.angle_rad || apart.distance_m > options.distance_m;
 }
 
 }  // namespace roomcast::alignment

@@ -3,6 +3,9 @@
 // Thread-safe (no state).
 #pragma once
 
+#include <numbers>
+
+#include "roomcast/core/option_fields.h"
 #include "roomcast/geometry/rigid_transform.h"
 
 namespace roomcast::alignment {
@@ -17,7 +20,22 @@ struct PoseDifference {
 [[nodiscard]] PoseDifference difference(const RigidTransform& one, const RigidTransform& other,
                                         const Eigen::Vector3d& at_m = Eigen::Vector3d(0, 0, 2.5));
 
+/// The inaccuracy of one answer: more makes two answers. Chosen on the development rooms
+/// (alignment_options.h).
+struct RivalOptions {
+  double angle_rad = 4 * std::numbers::pi / 180;
+  double distance_m = 0.2;
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("angle_rad", angle_rad, Range{0, std::numbers::pi});
+    visit("distance_m", distance_m, Range{0, 10});
+  }
+  [[nodiscard]] Status check() const { return check_fields("RivalOptions", *this); }
+};
+
 /// Whether two hypotheses differ by more than the inaccuracy of one answer.
-[[nodiscard]] bool are_rivals(const RigidTransform& one, const RigidTransform& other);
+[[nodiscard]] bool are_rivals(const RigidTransform& one, const RigidTransform& other,
+                              const RivalOptions& options = {});
 
 }  // namespace roomcast::alignment

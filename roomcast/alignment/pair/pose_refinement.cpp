@@ -3,21 +3,14 @@
 
 #include <algorithm>
 
-#include "roomcast/alignment/pair/feature_residuals.h"
 #include "roomcast/alignment/pair/match_support.h"
-#include "roomcast/alignment/pair/surface_residuals.h"
 
 namespace roomcast::alignment {
 namespace {
 
-constexpr std::size_t kPoints = 1500;
-constexpr int kSteps = 16;
-constexpr float kReach_m = 0.12F, kMinReach_m = 0.05F, kShrink = 0.86F;
-constexpr float kFeatureReach_m = 0.08F;
-constexpr double kStill = 1e-4;  // radians and metres
-
-PairVector step_of(const PairEquations& equations, const PairState& at, ColorCalibration color) {
-  if (color == ColorCalibration::kUncertain) return solve_state(equations, at);
+PairVector step_of(const PairEquations& equations, const PairState& at, ColorCalibration color,
+                   const ColorShiftOptions& shift) {
+  if (color == ColorCalibration::kUncertain) return solve_state(equations, at, shift);
   PairVector step = PairVector::Zero();
   step.head<6>() = solve_motion(equations);
   return step;
@@ -27,20 +20,22 @@ PairVector step_of(const PairEquations& equations, const PairState& at, ColorCal
 
 PairState refined_pose(const SensorView& a, const SensorView& b,
                        std::span<const PointMatch> matches, const RigidTransform& a_from_b,
-                       ColorCalibration color) {
-  const auto agreeing = agreeing_matches(matches, a_from_b, kFeatureReach_m);
+                       ColorCalibration color, const PoseRefinementOptions& options,
+                       const ResidualOptions& residuals) {
+  const auto agreeing = agreeing_matches(matches, a_from_b, options.feature_reach_m);
   PairState state{a_from_b, {}, {}};
-  float reach = kReach_m;
-  for (int i = 0; i < kSteps; ++i) {
+  float reach = options.reach_m;
+  for (int i = 0; i < options.max_steps; ++i) {
     PairEquations equations =
-        surface_equations(surface_partners(a.surface, b.surface, state.a_from_b, {reach, kPoints}),
-                          state.a_from_b, kUsualNoise);
-    equations.add(
-        feature_equations(a.picture, b.picture, state, agreeing, {kUsualFeatureSigma_px}));
-    const PairVector step = step_of(equations, state, color);
+        surface_equations(surface_partners(a.surface, b.surface, state.a_from_b,
+                                           {reach, options.points}, residuals.surfaces),
+                          state.a_from_b, options.surface_noise, residuals.surfaces);
+    equations.add(feature_equations(a.picture, b.picture, state, agreeing,
+                                    {options.feature_sigma_px}, residuals.features));
+    const PairVector step = step_of(equations, state, color, residuals.color_shift);
     move(step, state);
-    if (reach == kMinReach_m && step.head<6>().cwiseAbs().maxCoeff() < kStill) break;
-    reach = std::max(kMinReach_m, kShrink * reach);
+    if (reach == options.min_reach_m && step.head<6>().cwiseAbs().maxCoeff() < options.still) break;
+    reach = std::max(options.min_reach_m, options.shrink * reach);
   }
   return state;
 }

@@ -4,19 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomcast/alignment/view/depth_noise.h"
-
 namespace roomcast::alignment {
-namespace {
-
-constexpr float kSameReading = 10;    // sigmas of the depth noise
-constexpr double kNoiseContrast = 6;  // in the denominator: faint texture correlates by chance
-
-}  // namespace
 
 std::optional<Eigen::Vector2f> CorrectedView::pixel_of(const Eigen::Vector3f& point_m) const {
   const Eigen::Vector3f in_color = view_.picture.in_color_frame(point_m);
-  if (!(in_color.z() > kNearestSurface_m)) return std::nullopt;
+  if (!(in_color.z() > view_.picture.nearest_m)) return std::nullopt;
   return view_.picture.pixel_of(in_color) - shift_px_;
 }
 
@@ -35,10 +27,13 @@ std::optional<float> CorrectedView::grey_of(const TexturedPoint& point) const {
 }
 
 ReprojectedViews reprojected_views(const CorrectedView& from, const CorrectedView& other,
-                                   const RigidTransform& other_from_view) {
+                                   const RigidTransform& other_from_view,
+                                   const ReprojectionOptions& options) {
   const Eigen::Matrix3f rotation = other_from_view.rotation.cast<float>();
   const Eigen::Vector3f shift = other_from_view.translation_m.cast<float>();
   const DepthSurface& surface = other.view().surface;
+  const DepthNoiseOptions noise = surface.options.noise;
+  const float same_reading_sigmas = options.same_reading_sigmas;
   ReprojectedViews out(from.view().texture.width, from.view().texture.height);
   for (const TexturedPoint& point : from.view().texture.points) {
     const Eigen::Vector3f in_other = rotation * point.point_m + shift;
@@ -48,7 +43,7 @@ ReprojectedViews reprojected_views(const CorrectedView& from, const CorrectedVie
               v = static_cast<int>(std::lround(pixel.y()));
     if (u < 0 || v < 0 || u >= surface.z_m.width() || v >= surface.z_m.height()) continue;
     const float z = surface.z_m.at(u, v);
-    if (!(z > 0) || std::abs(z - in_other.z()) > kSameReading * depth_sigma_m(z)) continue;
+    if (!(z > 0) || std::abs(z - in_other.z()) > same_reading_sigmas * noise.sigma_m(z)) continue;
     const auto mine = from.grey_of(point), theirs = other.grey_of(in_other);
     if (!mine || !theirs) continue;
     const std::size_t i = out.place(point.x, point.y);
@@ -104,8 +99,8 @@ WindowContrast::WindowContrast(const ReprojectionSums& sums) {
   together = sums[5] / n - mean_p * mean_q;
 }
 
-double WindowContrast::correlation() const {
-  return together / (mine * theirs + kNoiseContrast);
+double WindowContrast::correlation(const ReprojectionOptions& options) const {
+  return together / (mine * theirs + options.noise_contrast);
 }
 
 }  // namespace roomcast::alignment

@@ -13,6 +13,20 @@
 
 namespace roomcast::alignment {
 
+/// Chosen on the development rooms (alignment_options.h).
+struct ReprojectionOptions {
+  float same_reading_sigmas = 10;  // of the depth noise: both views see the same surface
+  double noise_contrast = 6;       // squared grey levels, in the denominator of a correlation:
+                                   // faint texture correlates by chance
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("same_reading_sigmas", same_reading_sigmas, Range{0, 1000});
+    visit("noise_contrast", noise_contrast, Range{1e-6, 1e5});
+  }
+  [[nodiscard]] Status check() const { return check_fields("ReprojectionOptions", *this); }
+};
+
 /// Two grey pictures on the same grid, valid where both are known.
 struct ReprojectedViews {
   int width, height;
@@ -56,7 +70,8 @@ class CorrectedView {
 /// On the grid of `from`; known where `other` sees the same surface unoccluded.
 [[nodiscard]] ReprojectedViews reprojected_views(const CorrectedView& from,
                                                  const CorrectedView& other,
-                                                 const RigidTransform& other_from_view);
+                                                 const RigidTransform& other_from_view,
+                                                 const ReprojectionOptions& options = {});
 
 /// Count and sums of x, y, xx, yy, xy.
 using ReprojectionSums = std::array<double, 6>;
@@ -83,7 +98,7 @@ struct WindowContrast {
 
   explicit WindowContrast(const ReprojectionSums& sums);
   /// -1..1; lowered for faint texture, which correlates by chance.
-  [[nodiscard]] double correlation() const;
+  [[nodiscard]] double correlation(const ReprojectionOptions& options = {}) const;
 };
 
 }  // namespace roomcast::alignment

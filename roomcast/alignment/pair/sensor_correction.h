@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include "roomcast/core/option_fields.h"
+
 namespace roomcast::alignment {
 
 /// Two for the colour shift, then depth offset and depth scale: true depth = (1 + scale) * reading
@@ -26,19 +28,36 @@ struct SensorCorrection {
   return by;
 }
 
-/// Expected standard deviation of the colour shift of a calibrated sensor.
-inline constexpr double kColorShiftSigma_px = 0.7;
+struct ColorShiftOptions {
+  double sigma_px = 0.7;  // standard deviation of a calibrated sensor's colour shift (ADR 9)
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("sigma_px", sigma_px, Range{0.01, 100});
+  }
+  [[nodiscard]] Status check() const { return check_fields("ColorShiftOptions", *this); }
+};
 
 /// Weight of the prior for zero shift, at the current shift. Most colour cameras are accurate to a
 /// pixel, but the others may be off by any amount (Cauchy distribution, reweighted at each step).
-[[nodiscard]] inline double shift_prior_weight(const Eigen::Vector2d& shift_px) {
-  return 1 / (kColorShiftSigma_px * kColorShiftSigma_px + shift_px.squaredNorm());
+[[nodiscard]] inline double shift_prior_weight(const Eigen::Vector2d& shift_px,
+                                               const ColorShiftOptions& options = {}) {
+  return 1 / (options.sigma_px * options.sigma_px + shift_px.squaredNorm());
 }
 
 /// Standard deviations of depth errors that no view reveals: of each sensor by itself, and common
-/// to all (multipath makes every reading of a room too long).
+/// to all (multipath makes every reading of a room too long). As expected errors have to be on
+/// simulated rooms (ADR 9).
 struct DepthUncertainty {
   double offset_m = 0.001, scale = 0.0005, common_scale = 0.0025;
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("offset_m", offset_m, Range{0, 1});
+    visit("scale", scale, Range{0, 1});
+    visit("common_scale", common_scale, Range{0, 1});
+  }
+  [[nodiscard]] Status check() const { return check_fields("DepthUncertainty", *this); }
 };
 
 }  // namespace roomcast::alignment

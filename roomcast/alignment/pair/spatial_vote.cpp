@@ -4,23 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <numeric>
 #include <optional>
 
-#include "roomcast/alignment/pair/match_support.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 
 namespace roomcast::alignment {
 namespace {
-
-constexpr float kTolerancePerMetre = 0.012F;
-constexpr float kMinApart_m = 0.06F;  // nearer points do not constrain rotation
-constexpr std::size_t kSeedNeighbours = 25;
-constexpr int kSeedRefinements = 4;
-constexpr float kSoftening_m = 0.02F;  // residual at which a match still has half its weight
-constexpr double kMinSupport = 1.5;
-constexpr double kSameAngle_rad = 3 * std::numbers::pi / 180, kSameDistance_m = 0.15;
 
 std::vector<PointMatch> heaviest(std::span<const PointMatch> matches, std::size_t most) {
   std::vector<PointMatch> chosen(matches.begin(), matches.end());
@@ -30,19 +20,26 @@ std::vector<PointMatch> heaviest(std::span<const PointMatch> matches, std::size_
   return chosen;
 }
 
-bool are_compatible(const PointMatch& one, const PointMatch& other, float tolerance_m) {
+/// Limits of compatible matches, apart from the options: read for a million pairs of matches.
+struct Compatibility {
+  float tolerance_m, tolerance_per_metre, min_apart_m;
+};
+
+bool are_compatible(const PointMatch& one, const PointMatch& other, const Compatibility& limits) {
   const float in_a = (one.a_m - other.a_m).norm(), in_b = (one.b_m - other.b_m).norm();
-  return in_a > kMinApart_m && in_b > kMinApart_m &&
-         std::abs(in_a - in_b) < tolerance_m + kTolerancePerMetre * 0.5F * (in_a + in_b);
+  return in_a > limits.min_apart_m && in_b > limits.min_apart_m &&
+         std::abs(in_a - in_b) <
+             limits.tolerance_m + limits.tolerance_per_metre * 0.5F * (in_a + in_b);
 }
 
 using Neighbours = std::vector<std::vector<std::uint32_t>>;
 
-Neighbours compatible_neighbours(std::span<const PointMatch> matches, float tolerance_m) {
+Neighbours compatible_neighbours(std::span<const PointMatch> matches, const VoteOptions& options) {
+  const Compatibility limits{options.tolerance_m, options.tolerance_per_metre, options.min_apart_m};
   Neighbours neighbours(matches.size());
   for (std::uint32_t i = 0; i < matches.size(); ++i) {
     for (std::uint32_t j = i + 1; j < matches.size(); ++j) {
-      if (!are_compatible(matches[i], matches[j], tolerance_m)) continue;
+      if (!are_compatible(matches[i], matches[j], limits)) continue;
       neighbours[i].push_back(j);
       neighbours[j].push_back(i);
     }
@@ -92,8 +89,9 @@ std::vector<std::uint32_t> descending(std::size_t count, Key key) {
 /// A pose fitted to the seed and the neighbours with most votes for it.
 std::optional<RigidTransform> pose_of_seed(std::span<const PointMatch> matches,
                                            std::span<const float> votes, std::uint32_t seed,
-                                           std::vector<std::uint32_t> neighbours) {
-  const std::size_t kept = std::min(kSeedNeighbours, neighbours.size());
+                                           std::vector<std::uint32_t> neighbours,
+                                           std::size_t max_neighbours) {
+  const std::size_t kept = std::min(max_neighbours, neighbours.size());
   std::partial_sort(neighbours.begin(), neighbours.begin() + static_cast<std::ptrdiff_t>(kept),
                     neighbours.end(), [&](std::uint32_t x, std::uint32_t y) {
                       return votes[x] != votes[y] ? votes[x] > votes[y] : x < y;
@@ -111,16 +109,17 @@ std::optional<RigidTransform> pose_of_seed(std::span<const PointMatch> matches,
   return fit_a_from_b(chosen, weights);
 }
 
-/// Refits kSeedRefinements times to all matches that agree, with soft weights.
+/// Refits several times to all matches that agree, with soft weights.
 std::optional<RigidTransform> settled(std::span<const PointMatch> matches, RigidTransform pose,
-                                      float inlier_m) {
+                                      const VoteOptions& options) {
+  const float inlier_m = options.inlier_m, softening_m = options.softening_m;
   std::vector<float> weights(matches.size());
-  for (int i = 0; i < kSeedRefinements; ++i) {
+  for (int i = 0; i < options.seed_refinements; ++i) {
     const Eigen::Matrix3f rotation = pose.rotation.cast<float>();
     const Eigen::Vector3f shift = pose.translation_m.cast<float>();
     for (std::size_t m = 0; m < matches.size(); ++m) {
       const float away_m = distance_m(rotation, shift, matches[m]);
-      weights[m] = away_m < inlier_m ? matches[m].weight / (kSoftening_m + away_m) : 0;
+      weights[m] = away_m < inlier_m ? matches[m].weight / (softening_m + away_m) : 0;
     }
     const auto fitted = fit_a_from_b(matches, weights);
     if (!fitted) return std::nullopt;
@@ -129,21 +128,23 @@ std::optional<RigidTransform> settled(std::span<const PointMatch> matches, Rigid
   return pose;
 }
 
-bool is_new(const PoseHypothesis& candidate, std::span<const PoseHypothesis> known) {
+bool is_new(const PoseHypothesis& candidate, std::span<const PoseHypothesis> known,
+            const VoteOptions& options) {
   return std::none_of(known.begin(), known.end(), [&](const PoseHypothesis& other) {
     const PoseDifference apart = difference(candidate.a_from_b, other.a_from_b);
-    return apart.angle_rad < kSameAngle_rad && apart.distance_m < kSameDistance_m;
+    return apart.angle_rad < options.same_angle_rad && apart.distance_m < options.same_distance_m;
   });
 }
 
-std::vector<PoseHypothesis> most_supported(std::vector<PoseHypothesis> found, std::size_t most) {
+std::vector<PoseHypothesis> most_supported(std::vector<PoseHypothesis> found,
+                                           const VoteOptions& options) {
   std::stable_sort(
       found.begin(), found.end(),
       [](const PoseHypothesis& x, const PoseHypothesis& y) { return x.support > y.support; });
   std::vector<PoseHypothesis> kept;
   for (const PoseHypothesis& hypothesis : found) {
-    if (kept.size() == most || hypothesis.support < kMinSupport) break;
-    if (is_new(hypothesis, kept)) kept.push_back(hypothesis);
+    if (kept.size() == options.max_hypotheses || hypothesis.support < options.min_support) break;
+    if (is_new(hypothesis, kept, options)) kept.push_back(hypothesis);
   }
   return kept;
 }
@@ -151,9 +152,10 @@ std::vector<PoseHypothesis> most_supported(std::vector<PoseHypothesis> found, st
 }  // namespace
 
 std::vector<PoseHypothesis> vote_for_poses(std::span<const PointMatch> all,
-                                           const VoteOptions& options) {
+                                           const VoteOptions& options,
+                                           const MatchSupportOptions& support) {
   const std::vector<PointMatch> matches = heaviest(all, options.max_matches);
-  const Neighbours neighbours = compatible_neighbours(matches, options.tolerance_m);
+  const Neighbours neighbours = compatible_neighbours(matches, options);
   const SecondOrderVotes votes(matches, neighbours);
   std::vector<float> totals(matches.size());
   for (std::size_t i = 0; i < matches.size(); ++i) totals[i] = votes.total(i);
@@ -164,9 +166,10 @@ std::vector<PoseHypothesis> vote_for_poses(std::span<const PointMatch> all,
     if (found.size() == options.max_seeds || !(totals[seed] > 0)) break;
     if (explained[seed]) continue;
     explained[seed] = true;
-    const auto start = pose_of_seed(matches, votes.of(seed), seed, neighbours[seed]);
+    const auto start =
+        pose_of_seed(matches, votes.of(seed), seed, neighbours[seed], options.seed_neighbours);
     if (!start) continue;
-    const auto pose = settled(matches, *start, options.inlier_m);
+    const auto pose = settled(matches, *start, options);
     if (!pose) continue;
     const Eigen::Matrix3f rotation = pose->rotation.cast<float>();
     const Eigen::Vector3f shift = pose->translation_m.cast<float>();
@@ -174,9 +177,9 @@ std::vector<PoseHypothesis> vote_for_poses(std::span<const PointMatch> all,
       if (distance_m(rotation, shift, matches[i]) < options.inlier_m) explained[i] = true;
     }
     const auto agreeing = agreeing_matches(matches, *pose, options.inlier_m);
-    found.push_back({*pose, match_support(agreeing).weight});
+    found.push_back({*pose, match_support(agreeing, support).weight});
   }
-  return most_supported(std::move(found), options.max_hypotheses);
+  return most_supported(std::move(found), options);
 }
 
 }  // namespace roomcast::alignment

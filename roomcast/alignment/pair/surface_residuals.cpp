@@ -7,16 +7,10 @@
 
 #include <Eigen/Geometry>
 
-#include "roomcast/alignment/view/depth_noise.h"
-
 namespace roomcast::alignment {
 namespace {
 
-constexpr float kPartnerCosine = 0.8F;  // cosine between normals
-constexpr float kSlidePerReach = 4;     // along the surface a partner may be further away
-constexpr double kMaxIndependent = 1500;
 constexpr double kMedianOfNormal = 0.6745;  // median absolute value, in sigmas
-constexpr double kMinNoise = 0.2, kMaxNoise = 1.5;
 
 /// One direction of a pair: points of `source` are looked up in `target`.
 struct Direction {
@@ -34,10 +28,12 @@ struct Direction {
 
 /// Calls `visit(source point, target point, residual)` for all partners within reach.
 template <class Visit>
-void for_each_partner(const Direction& way, const SurfaceReach& options, Visit visit) {
+void for_each_partner(const Direction& way, const SurfaceReach& reach,
+                      const SurfaceResidualOptions& options, Visit visit) {
   const auto& samples = way.source.samples;
-  const std::size_t step = std::max<std::size_t>(1, samples.size() / options.points);
-  const float slide = kSlidePerReach * options.reach_m;
+  const std::size_t step = std::max<std::size_t>(1, samples.size() / reach.points);
+  const float reach_m = reach.reach_m, min_cosine = options.min_cosine;
+  const float slide = options.slide_per_reach * reach_m;
   for (std::size_t i = 0; i < samples.size(); i += step) {
     const Eigen::Vector3f point = way.rotation * samples[i].point_m + way.shift;
     Eigen::Vector2f pixel;
@@ -46,18 +42,23 @@ void for_each_partner(const Direction& way, const SurfaceReach& options, Visit v
     const int v = static_cast<int>(std::lround(pixel.y()));
     if (u < 0 || v < 0 || u >= way.target.at.width() || v >= way.target.at.height()) continue;
     const SurfacePoint& seen = way.target.at.at(u, v);
-    if (seen.normal.dot(way.rotation * samples[i].normal) < kPartnerCosine) continue;
+    if (seen.normal.dot(way.rotation * samples[i].normal) < min_cosine) continue;
     const Eigen::Vector3f apart = point - seen.point_m;
     const float residual = seen.normal.dot(apart);
-    if (std::abs(residual) > options.reach_m || apart.squaredNorm() > slide * slide) continue;
+    if (std::abs(residual) > reach_m || apart.squaredNorm() > slide * slide) continue;
     visit(samples[i], seen, residual);
   }
 }
 
-float variance_m2(const SurfacePoint& one, const SurfacePoint& other) {
-  const float here = depth_sigma_m(one.point_m.z()), there = depth_sigma_m(other.point_m.z());
-  return 0.5F * (here * here + there * there);
-}
+/// Of the readings of two surfaces.
+struct PartnerNoise {
+  DepthNoiseOptions of_a, of_b;
+
+  [[nodiscard]] float variance_m2(const SurfacePoint& a, const SurfacePoint& b) const {
+    const float here = of_a.sigma_m(a.point_m.z()), there = of_b.sigma_m(b.point_m.z());
+    return 0.5F * (here * here + there * there);
+  }
+};
 
 /// Unknowns of surface residuals: motion and both sensors' depth. Colour shifts do not affect
 /// surfaces.
@@ -105,33 +106,36 @@ double weight_of(const SurfacePartner& partner, double noise) {
   return robust_weight(double(partner.residual_m) / std::sqrt(variance)) / variance;
 }
 
-/// Factor by which all partners count as no more than kMaxIndependent.
-double share_that_counts(std::size_t partners) {
-  return std::min(1.0, kMaxIndependent / static_cast<double>(std::max<std::size_t>(1, partners)));
+/// Factor by which all partners count as no more than `most`.
+double share_that_counts(std::size_t partners, double most) {
+  return std::min(1.0, most / static_cast<double>(std::max<std::size_t>(1, partners)));
 }
 
 }  // namespace
 
 std::vector<SurfacePartner> surface_partners(const DepthSurface& a, const DepthSurface& b,
                                              const RigidTransform& a_from_b,
-                                             const SurfaceReach& reach) {
+                                             const SurfaceReach& reach,
+                                             const SurfaceResidualOptions& options) {
+  const PartnerNoise noise{a.options.noise, b.options.noise};
   std::vector<SurfacePartner> partners;
   const Eigen::Matrix3f rotation = a_from_b.rotation.cast<float>();
-  for_each_partner(Direction(b, a, a_from_b), reach,
+  for_each_partner(Direction(b, a, a_from_b), reach, options,
                    [&](const SurfacePoint& of_b, const SurfacePoint& of_a, float residual) {
                      partners.push_back({of_a.point_m, of_b.point_m, of_a.normal, residual,
-                                         variance_m2(of_a, of_b)});
+                                         noise.variance_m2(of_a, of_b)});
                    });
-  for_each_partner(Direction(a, b, a_from_b.inverse()), reach,
+  for_each_partner(Direction(a, b, a_from_b.inverse()), reach, options,
                    [&](const SurfacePoint& of_a, const SurfacePoint& of_b, float residual) {
                      partners.push_back({of_a.point_m, of_b.point_m, rotation * of_b.normal,
-                                         -residual, variance_m2(of_a, of_b)});
+                                         -residual, noise.variance_m2(of_a, of_b)});
                    });
   return partners;
 }
 
 PairEquations surface_equations(std::span<const SurfacePartner> partners,
-                                const RigidTransform& a_from_b, double noise) {
+                                const RigidTransform& a_from_b, double noise,
+                                const SurfaceResidualOptions& options) {
   KnownEquations sum;
   for (const SurfacePartner& partner : partners) {
     const double weight = weight_of(partner, noise);
@@ -139,12 +143,13 @@ PairEquations surface_equations(std::span<const SurfacePartner> partners,
     sum.information.noalias() += weight * jacobian * jacobian.transpose();
     sum.gradient += weight * double(partner.residual_m) * jacobian;
   }
-  return sum.expanded(share_that_counts(partners.size()), static_cast<int>(partners.size()));
+  return sum.expanded(share_that_counts(partners.size(), options.max_independent),
+                      static_cast<int>(partners.size()));
 }
 
 void add_surface_scores(std::span<const SurfacePartner> partners, const RigidTransform& a_from_b,
-                        double noise, PairScores& scores) {
-  const double factor = share_that_counts(partners.size());
+                        double noise, PairScores& scores, const SurfaceResidualOptions& options) {
+  const double factor = share_that_counts(partners.size(), options.max_independent);
   for (const SurfacePartner& partner : partners) {
     const double weight = factor * weight_of(partner, noise);
     const double residual_m = double(partner.residual_m);
@@ -154,14 +159,15 @@ void add_surface_scores(std::span<const SurfacePartner> partners, const RigidTra
   }
 }
 
-double surface_noise(std::span<const SurfacePartner> partners) {
-  if (partners.empty()) return kMaxNoise;
+double surface_noise(std::span<const SurfacePartner> partners,
+                     const SurfaceResidualOptions& options) {
+  if (partners.empty()) return options.max_noise;
   std::vector<double> sigmas;
   for (const SurfacePartner& partner : partners)
     sigmas.push_back(double(std::abs(partner.residual_m) / std::sqrt(partner.variance_m2)));
   const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
   std::nth_element(sigmas.begin(), middle, sigmas.end());
-  return std::clamp(*middle / kMedianOfNormal, kMinNoise, kMaxNoise);
+  return std::clamp(*middle / kMedianOfNormal, options.min_noise, options.max_noise);
 }
 
 }  // namespace roomcast::alignment

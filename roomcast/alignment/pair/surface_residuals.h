@@ -19,6 +19,28 @@ struct SurfaceReach {
   std::size_t points = 6000;  // of each view, about
 };
 
+/// Chosen on the development rooms (alignment_options.h), unless noted.
+struct SurfaceResidualOptions {
+  float min_cosine = 0.8F;        // between the normals of partners
+  float slide_per_reach = 4;      // a partner may be so much further away along the surface
+  double max_independent = 1500;  // partners: errors of neighbours are correlated; the prototype's
+  /// Limits of the estimated noise, in units of the depth noise.
+  double min_noise = 0.2, max_noise = 1.5;
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("min_cosine", min_cosine, Range{-1, 1});
+    visit("slide_per_reach", slide_per_reach, Range{0, 1000});
+    visit("max_independent", max_independent, Range{1, 1e7});
+    visit("min_noise", min_noise, Range{0.001, 1000});
+    visit("max_noise", max_noise, Range{0.001, 1000});
+  }
+  [[nodiscard]] Status check() const {
+    if (Status status = check_fields("SurfaceResidualOptions", *this); !status) return status;
+    return check_at_most("SurfaceResidualOptions", "min_noise", min_noise, "max_noise", max_noise);
+  }
+};
+
 /// A surface point of one sensor and its partner in the other's view.
 struct SurfacePartner {
   Eigen::Vector3f a_m, b_m;  // as measured, in the depth frames
@@ -28,24 +50,26 @@ struct SurfacePartner {
 };
 
 /// Partners of all sampled points that both views see.
-[[nodiscard]] std::vector<SurfacePartner> surface_partners(const DepthSurface& a,
-                                                           const DepthSurface& b,
-                                                           const RigidTransform& a_from_b,
-                                                           const SurfaceReach& reach);
+[[nodiscard]] std::vector<SurfacePartner> surface_partners(
+    const DepthSurface& a, const DepthSurface& b, const RigidTransform& a_from_b,
+    const SurfaceReach& reach, const SurfaceResidualOptions& options = {});
 
-/// Equations of the partners, for surfaces `noise` times as noisy as depth_sigma_m. Errors of
-/// neighbouring readings are correlated, so all partners count as no more than about 1500
+/// Equations of the partners, for surfaces `noise` times as noisy as assumed (view/depth_noise.h).
+/// Errors of neighbouring readings are correlated, so all partners count as no more than so many
 /// independent ones.
 [[nodiscard]] PairEquations surface_equations(std::span<const SurfacePartner> partners,
-                                              const RigidTransform& a_from_b, double noise);
+                                              const RigidTransform& a_from_b, double noise,
+                                              const SurfaceResidualOptions& options = {});
 
 /// Adds the terms of surface_equations to `scores`, per patch.
 void add_surface_scores(std::span<const SurfacePartner> partners, const RigidTransform& a_from_b,
-                        double noise, PairScores& scores);
+                        double noise, PairScores& scores,
+                        const SurfaceResidualOptions& options = {});
 
-/// Noise of the partners at this pose, in units of depth_sigma_m, from the median residual; clamped
-/// to 0.2..1.5.
-[[nodiscard]] double surface_noise(std::span<const SurfacePartner> partners);
+/// Noise of the partners at this pose, in units of the depth noise, from the median residual,
+/// within the limits.
+[[nodiscard]] double surface_noise(std::span<const SurfacePartner> partners,
+                                   const SurfaceResidualOptions& options = {});
 
 /// Value of `noise` to use before it is estimated.
 inline constexpr double kUsualNoise = 1;
