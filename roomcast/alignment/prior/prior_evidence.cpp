@@ -2,22 +2,17 @@
 #include "roomcast/alignment/prior/prior_evidence.h"
 
 namespace roomcast::alignment {
-namespace {
-
-constexpr double kMinOverlap = 0.05, kMaxConflict = 0.08;
-constexpr double kMinCorrelation = 0.35, kTextured = 0.004;
-constexpr double kPerhapsOverlap = 0.02;  // at the prior: enough to compare the two
-
-}  // namespace
 
 std::optional<PlacedView> best_partner(const SensorView& view, const RigidTransform& guess,
-                                       std::span<const PlacedView> others) {
+                                       std::span<const PlacedView> others,
+                                       const PriorEvidenceOptions& options,
+                                       const FreeSpaceOptions& free_space) {
   std::optional<PlacedView> best;
-  double most = kPerhapsOverlap;
+  double most = options.perhaps_overlap;
   for (const PlacedView& other : others) {
     const RigidTransform other_from_view = other.world_from_depth.inverse() * guess;
-    const auto space =
-        check_free_space(other.view->surface, view.surface, other_from_view, kTestedPoints);
+    const auto space = check_free_space(other.view->surface, view.surface, other_from_view,
+                                        free_space.points, free_space);
     const double seen = space.consistent + space.violating;  // a prior is off by decimetres
     if (seen <= most) continue;
     most = seen;
@@ -26,22 +21,27 @@ std::optional<PlacedView> best_partner(const SensorView& view, const RigidTransf
   return best;
 }
 
-PairCandidates candidates_of(const SensorView& a, const SensorView& b) {
+PairCandidates candidates_of(const SensorView& a, const SensorView& b, const PairOptions& options) {
+  const ViewComparison comparison = compare_views(a, b, options.matching);
   return PairCandidates(
-      a, b, weighted_matches(a, own_ambiguity(a), b, own_ambiguity(b), compare_views(a, b)));
+      a, b,
+      weighted_matches(a, own_ambiguity(a), b, own_ambiguity(b), comparison, options.matching),
+      options);
 }
 
-Contradiction contradiction(const PoseEvidence& evidence) {
-  if (has_free_space_conflict(evidence.space) || evidence.space.min_consistent < kMinOverlap) {
+Contradiction contradiction(const PoseEvidence& evidence, const PriorEvidenceOptions& options) {
+  if (has_free_space_conflict(evidence.space, options) ||
+      evidence.space.min_consistent < options.min_overlap) {
     return Contradiction::kShapes;
   }
-  if (evidence.photo.textured > kTextured && evidence.photo.correlation < kMinCorrelation)
+  if (evidence.photo.textured > options.textured &&
+      evidence.photo.correlation < options.min_correlation)
     return Contradiction::kColors;
   return Contradiction::kNone;
 }
 
-bool has_free_space_conflict(const FreeSpaceCheck& space) {
-  return space.conflict() > kMaxConflict;
+bool has_free_space_conflict(const FreeSpaceCheck& space, const PriorEvidenceOptions& options) {
+  return space.conflict() > options.max_conflict;
 }
 
 }  // namespace roomcast::alignment

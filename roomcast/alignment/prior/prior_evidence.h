@@ -12,6 +12,25 @@
 
 namespace roomcast::alignment {
 
+/// Chosen on simulated rooms (docs/benchmarks/live-alignment.md). Shares, unless noted.
+struct PriorEvidenceOptions {
+  double min_overlap = 0.05;      // less surface in common proves nothing
+  double max_conflict = 0.08;     // more contradicts; edges a little misplaced make less
+  double min_correlation = 0.35;  // of colours; less contradicts
+  double textured = 0.004;        // of a view; with less, colours are no evidence
+  double perhaps_overlap = 0.02;  // at the prior: enough to compare the two
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("min_overlap", min_overlap, Range{0, 1});
+    visit("max_conflict", max_conflict, Range{0, 1});
+    visit("min_correlation", min_correlation, Range{-1, 1});
+    visit("textured", textured, Range{0, 1});
+    visit("perhaps_overlap", perhaps_overlap, Range{0, 1});
+  }
+  [[nodiscard]] Status check() const { return check_fields("PriorEvidenceOptions", *this); }
+};
+
 /// Another sensor, whose pose is known.
 struct PlacedView {
   const SensorView* view = nullptr;
@@ -22,18 +41,23 @@ struct PlacedView {
 /// overlaps.
 [[nodiscard]] std::optional<PlacedView> best_partner(const SensorView& view,
                                                      const RigidTransform& prior_world_from_depth,
-                                                     std::span<const PlacedView> others);
+                                                     std::span<const PlacedView> others,
+                                                     const PriorEvidenceOptions& options = {},
+                                                     const FreeSpaceOptions& space = {});
 
 /// The pose candidates of this pair alone.
-[[nodiscard]] PairCandidates candidates_of(const SensorView& a, const SensorView& b);
+[[nodiscard]] PairCandidates candidates_of(const SensorView& a, const SensorView& b,
+                                           const PairOptions& options = {});
 
 /// The evidence against a pose. A pose with a prior needs less support than one without, but
 /// nothing may contradict it.
 enum class Contradiction { kNone, kShapes, kColors };
-[[nodiscard]] Contradiction contradiction(const PoseEvidence& evidence);
+[[nodiscard]] Contradiction contradiction(const PoseEvidence& evidence,
+                                          const PriorEvidenceOptions& options = {});
 
 /// Whether one sensor sees through surfaces that the other sees, by more than slightly misaligned
 /// edges explain.
-[[nodiscard]] bool has_free_space_conflict(const FreeSpaceCheck& space);
+[[nodiscard]] bool has_free_space_conflict(const FreeSpaceCheck& space,
+                                           const PriorEvidenceOptions& options = {});
 
 }  // namespace roomcast::alignment

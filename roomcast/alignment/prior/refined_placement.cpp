@@ -7,15 +7,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "roomcast/alignment/pair/pose_difference.h"
-#include "roomcast/alignment/pair/pose_refinement.h"
-#include "roomcast/alignment/rig/rig_refinement.h"
-
 namespace roomcast::alignment {
 namespace {
-
-constexpr double kReachOfWalk_m = 1;  // radius of a walk: the lever for its rotation
-constexpr double kMaxSigmas = 3;      // of the estimate, from it to the refined pose
 
 const Eigen::Vector3d kAhead_m(0, 0, 2.5);
 
@@ -28,47 +21,55 @@ Vector6 motion_between(const RigidTransform& from, const RigidTransform& to) {
 }
 
 /// Information matrix of an estimated pose with this error.
-Matrix6 information_of(double sigma_m, const Eigen::Vector3d& ahead_m) {
+Matrix6 information_of(double sigma_m, double walk_radius_m, const Eigen::Vector3d& ahead_m) {
   const Eigen::Matrix<double, 3, 6> by = point_motion(ahead_m);
   const double weight = 1 / (sigma_m * sigma_m);
   Matrix6 information = weight * by.transpose() * by;
-  information.diagonal().head<3>().array() += weight * kReachOfWalk_m * kReachOfWalk_m;
+  information.diagonal().head<3>().array() += weight * walk_radius_m * walk_radius_m;
   return information;
 }
 
 /// The pose of b by the surfaces that both see; its covariance is 0 if they determine nothing.
-RefinedSensor by_what_both_see(const PairCandidates& pair, const RigidTransform& start) {
-  const PairState settled = refined_pose(pair.a(), pair.b(), pair.matches(), start);
+RefinedSensor by_what_both_see(const PairCandidates& pair, const RigidTransform& start,
+                               const RigOptions& rig) {
+  const PairState settled =
+      refined_pose(pair.a(), pair.b(), pair.matches(), start, ColorCalibration::kAsCalibrated,
+                   rig.pair.refinement, rig.pair.residuals);
   const std::array poses = {RigidTransform(), settled.a_from_b};
   const std::array pairs = {RigPair{0, 1, &pair}};
-  return refine_rig(poses, 0, pairs)[1];
+  return refine_rig(poses, 0, pairs, rig.refinement, rig.pair.residuals)[1];
 }
 
 }  // namespace
 
 std::optional<EstimatedPlacement> refined_placement(const SensorView& view,
                                                     const EstimatedPlacement& found,
-                                                    std::span<const PlacedView> placed) {
-  const auto partner = best_partner(view, found.world_from_depth, placed);
+                                                    std::span<const PlacedView> placed,
+                                                    const RefinedPlacementOptions& options,
+                                                    const RigOptions& rig) {
+  const auto partner =
+      best_partner(view, found.world_from_depth, placed, options.evidence, rig.pair.free_space);
   if (!partner) return std::nullopt;
-  const PairCandidates pair = candidates_of(*partner->view, view);
+  const PairCandidates pair = candidates_of(*partner->view, view, rig.pair);
   const RigidTransform at_first = partner->world_from_depth.inverse() * found.world_from_depth;
-  const RefinedSensor shared = by_what_both_see(pair, at_first);
+  const RefinedSensor shared = by_what_both_see(pair, at_first, rig);
   if (shared.covariance.isZero()) return std::nullopt;
 
   const double sigma_m = 0.001 * found.expected_error_mm;
-  const Matrix6 before = information_of(sigma_m, shared.origin_from_sensor * kAhead_m);
+  const Matrix6 before =
+      information_of(sigma_m, options.walk_radius_m, shared.origin_from_sensor * kAhead_m);
   const Matrix6 together = before + shared.covariance.inverse();
   const Vector6 back = motion_between(shared.origin_from_sensor, at_first);
   const RigidTransform a_from_b =
       step_transform(together.ldlt().solve(before * back)) * shared.origin_from_sensor;
 
   const PoseDifference apart = difference(a_from_b, at_first, kAhead_m);
-  if (apart.distance_m > kMaxSigmas * sigma_m ||
-      apart.angle_rad * kReachOfWalk_m > kMaxSigmas * sigma_m) {
+  if (apart.distance_m > options.max_sigmas * sigma_m ||
+      apart.angle_rad * options.walk_radius_m > options.max_sigmas * sigma_m) {
     return std::nullopt;
   }
-  if (contradiction(pair.examine(a_from_b)) != Contradiction::kNone) return std::nullopt;
+  if (contradiction(pair.examine(a_from_b), options.evidence) != Contradiction::kNone)
+    return std::nullopt;
   return EstimatedPlacement{partner->world_from_depth * a_from_b,
                             1000 * expected_error_m(together, a_from_b * kAhead_m)};
 }

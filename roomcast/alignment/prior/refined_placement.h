@@ -11,8 +11,23 @@
 #include <span>
 
 #include "roomcast/alignment/prior/prior_evidence.h"
+#include "roomcast/alignment/rig/placed_rig.h"
 
 namespace roomcast::alignment {
+
+struct RefinedPlacementOptions {
+  double walk_radius_m = 1;  // the lever for a walk's rotation; by hand
+  double max_sigmas = 3;     // of the estimate, from it to the refined pose (ADR 14)
+  PriorEvidenceOptions evidence;
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("walk_radius_m", walk_radius_m, Range{0.01, 100});
+    visit("max_sigmas", max_sigmas, Range{0.1, 100});
+    visit("evidence", evidence);
+  }
+  [[nodiscard]] Status check() const { return check_fields("RefinedPlacementOptions", *this); }
+};
 
 struct EstimatedPlacement {
   RigidTransform world_from_depth;
@@ -20,8 +35,9 @@ struct EstimatedPlacement {
 };
 
 /// Nothing if the sensor has next to no overlap with the placed sensors, if the overlap contradicts
-/// the pose, or if the result differs from the estimate by more than 3 of its standard deviations.
+/// the pose, or if the result is too many of the estimate's standard deviations from it.
 [[nodiscard]] std::optional<EstimatedPlacement> refined_placement(
-    const SensorView& view, const EstimatedPlacement& found, std::span<const PlacedView> placed);
+    const SensorView& view, const EstimatedPlacement& found, std::span<const PlacedView> placed,
+    const RefinedPlacementOptions& options = {}, const RigOptions& rig = {});
 
 }  // namespace roomcast::alignment

@@ -6,8 +6,7 @@
 // is confirmed. Metres, millimetres where a name says so. Thread-safe (no state).
 #pragma once
 
-#include "roomcast/alignment/pair/pair_candidates.h"
-#include "roomcast/alignment/prior/prior_evidence.h"
+#include "roomcast/alignment/prior/nudged_pose.h"
 
 namespace roomcast::alignment {
 
@@ -19,8 +18,27 @@ struct StoredPoseCheck {
   double expected_error_mm = 0;  // if kConfirmed: standard deviation 2.5 m ahead of b
 };
 
+/// Chosen on simulated rooms (docs/benchmarks/live-alignment.md).
+struct StoredPoseOptions {
+  double min_seen = 0.05;  // share of a view: less surface in common is inconclusive
+  /// From the stored pose to the refined one, at most. Beyond what a pose may be off, and below
+  /// what a moved sensor is.
+  double max_shift_m = 0.03, max_turn_rad = 0.012;
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("min_seen", min_seen, Range{0, 1});
+    visit("max_shift_m", max_shift_m, Range{0, 10});
+    visit("max_turn_rad", max_turn_rad, Range{0, 3.2});
+  }
+  [[nodiscard]] Status check() const { return check_fields("StoredPoseOptions", *this); }
+};
+
+/// `nudge`: how the stored pose is judged as a prior.
 [[nodiscard]] StoredPoseCheck stored_pose_check(const PairCandidates& pair,
                                                 const RigidTransform& world_from_a,
-                                                const RigidTransform& world_from_b);
+                                                const RigidTransform& world_from_b,
+                                                const StoredPoseOptions& options = {},
+                                                const NudgeOptions& nudge = {});
 
 }  // namespace roomcast::alignment

@@ -8,38 +8,29 @@
 
 #include <fmt/format.h>
 
-#include "roomcast/alignment/pair/surface_residuals.h"
-#include "roomcast/alignment/rig/refusal.h"
-#include "roomcast/alignment/rig/rig_check.h"
-#include "roomcast/alignment/rig/rig_refinement.h"
-#include "roomcast/alignment/rig/world_frame.h"
-
 namespace roomcast::alignment {
 namespace {
 
-constexpr double kHoldingSupport = 6, kHoldingScore = 6;
-constexpr double kHoldingOverlap = 0.03, kHoldingConflict = 0.12;
-// Pointing error of a lens whose centre is off by half a pixel; no view reveals it.
-constexpr double kPointingSigma_rad = 0.001;
-constexpr SurfaceReach kReported{0.05F, 20'000};
 const Eigen::Vector3d kInView_m(0, 0, 2.5);
 
 /// Whether the pair's evidence at the current poses suffices to take part in refinement.
-bool holds(const PoseEvidence& evidence) {
-  if (is_strong(evidence)) return true;
-  return (evidence.matches.weight >= kHoldingSupport || evidence.score >= kHoldingScore) &&
-         evidence.space.consistent > kHoldingOverlap &&
-         evidence.space.conflict() <= kHoldingConflict;
+bool holds(const PoseEvidence& evidence, const RigOptions& rig) {
+  const PlacingOptions& options = rig.placing;
+  if (is_strong(evidence, rig.pair.evidence)) return true;
+  return (evidence.matches.weight >= options.holding_support ||
+          evidence.score >= options.holding_score) &&
+         evidence.space.consistent > options.holding_overlap &&
+         evidence.space.conflict() <= options.holding_conflict;
 }
 
-std::vector<bool> placed_sensors(const PoseSelection& selection) {
+std::vector<bool> placed_sensors(const PoseSelection& selection, double min_margin) {
   const std::size_t count = selection.best.group.size();
   std::vector<bool> placed(count);
   bool any = false;
   for (std::size_t i = 0; i < count; ++i) {
     placed[i] = i != selection.origin && selection.best.together(i, selection.origin) &&
-                selection.margin_to_rival[i] > kMinMargin &&
-                selection.margin_to_unplaced[i] > kMinMargin;
+                selection.margin_to_rival[i] > min_margin &&
+                selection.margin_to_unplaced[i] > min_margin;
     any = any || placed[i];
   }
   placed[selection.origin] = any || count == 1;
@@ -47,22 +38,25 @@ std::vector<bool> placed_sensors(const PoseSelection& selection) {
 }
 
 std::vector<RigPair> usable_pairs(std::span<const RigPair> pairs, const std::vector<bool>& placed,
-                                  const std::vector<RigidTransform>& origin_from_sensor) {
+                                  const std::vector<RigidTransform>& origin_from_sensor,
+                                  const RigOptions& options) {
   std::vector<RigPair> holding;
   for (const RigPair& pair : pairs) {
     if (!placed[pair.first] || !placed[pair.second]) continue;
     const RigidTransform a_from_b =
         origin_from_sensor[pair.first].inverse() * origin_from_sensor[pair.second];
-    if (holds(pair.candidates->examine(a_from_b))) holding.push_back(pair);
+    if (holds(pair.candidates->examine(a_from_b), options)) holding.push_back(pair);
   }
   return holding;
 }
 
 /// Median distance between the surfaces that both see.
-double residual_mm(const PairCandidates& pair, const RigidTransform& a_from_b) {
+double residual_mm(const PairCandidates& pair, const RigidTransform& a_from_b,
+                   const RigOptions& options) {
+  const SurfaceReach reach{options.placing.reported_reach_m, options.placing.reported_points};
   std::vector<float> residuals_m;
-  for (const SurfacePartner& partner :
-       surface_partners(pair.a().surface, pair.b().surface, a_from_b, kReported)) {
+  for (const SurfacePartner& partner : surface_partners(
+           pair.a().surface, pair.b().surface, a_from_b, reach, options.pair.residuals.surfaces)) {
     residuals_m.push_back(std::abs(partner.residual_m));
   }
   if (residuals_m.empty()) return 0;
@@ -88,18 +82,19 @@ void describe(const PoseEvidence& evidence, PairReport& report) {
 
 /// `before` is the evidence on which the pair was accepted, with calibrations as given.
 PairReport report_placed(const RigPair& pair, const PoseEvidence& before,
-                         const RigidTransform& a_from_b) {
+                         const RigidTransform& a_from_b, const RigOptions& options) {
+  const EvidenceOptions& limits = options.pair.evidence;
   const PairCandidates& candidates = *pair.candidates;
   const PoseEvidence evidence = candidates.examine(a_from_b);
   PairReport report = empty_report(candidates);
   describe(evidence, report);
   report.correlation = std::max(before.photo.correlation, evidence.photo.correlation);
   report.b_from_a = a_from_b.inverse();
-  report.residual_mm = residual_mm(candidates, a_from_b);
-  report.accepted = is_strong(before) || is_strong(evidence);
+  report.residual_mm = residual_mm(candidates, a_from_b, options);
+  report.accepted = is_strong(before, limits) || is_strong(evidence, limits);
   report.reason = report.accepted ? fmt::format("{} places agree, colours correlate by {:.2f}",
                                                 report.inliers, report.correlation)
-                                  : why_pair_says_little(candidates, evidence);
+                                  : why_pair_says_little(candidates, evidence, options.refusal);
   return report;
 }
 
@@ -109,11 +104,12 @@ bool is_separate_group(const RigPair& pair, const PoseSelection& selection) {
          !selection.best.together(pair.first, selection.origin);
 }
 
-PairReport report_refused(const RigPair& pair, const RigAnswer& answer) {
+PairReport report_refused(const RigPair& pair, const RigAnswer& answer,
+                          const RefusalOptions& options) {
   const PairCandidates& candidates = *pair.candidates;
   PairReport report = empty_report(candidates);
   if (!candidates.ranked().empty()) describe(candidates.ranked()[0], report);
-  report.reason = why_pair_is_refused(candidates);
+  report.reason = why_pair_is_refused(candidates, options);
   if (!report.reason.empty()) return report;
   report.reason = is_separate_group(pair, answer.selection)
                       ? fmt::format(
@@ -132,15 +128,16 @@ double variance_at_view_m2(const RefinedSensor& sensor, const RefinedSensor& of)
 }
 
 /// Variance caused by both sensors' pointing errors, at the distance of the scene.
-double variance_of_pointing_m2() {
-  return 2 * kPointingSigma_rad * kPointingSigma_rad * kInView_m.squaredNorm();
+double variance_of_pointing_m2(double sigma_rad) {
+  return 2 * sigma_rad * sigma_rad * kInView_m.squaredNorm();
 }
 
 /// Both errors are 0 for the origin, by definition, and for a sensor that no pair constrains.
-void describe_error(const RefinedSensor& sensor, SensorReport& report) {
+void describe_error(const RefinedSensor& sensor, double pointing_sigma_rad, SensorReport& report) {
   if (sensor.covariance.isZero()) return;
-  const double pointing = kPointingSigma_rad * kPointingSigma_rad;  // of each axis
-  const double at_view_m2 = variance_at_view_m2(sensor, sensor) + variance_of_pointing_m2();
+  const double pointing = pointing_sigma_rad * pointing_sigma_rad;  // of each axis
+  const double at_view_m2 =
+      variance_at_view_m2(sensor, sensor) + variance_of_pointing_m2(pointing_sigma_rad);
   const double turn_rad2 = sensor.covariance.topLeftCorner<3, 3>().trace() + 3 * pointing;
   report.expected_error_mm = 1000 * std::sqrt(std::max(0.0, at_view_m2));
   report.expected_error_deg = std::sqrt(std::max(0.0, turn_rad2)) * 180 / std::numbers::pi;
@@ -159,39 +156,43 @@ std::string why_sensor_is_apart(const std::string& name, const std::vector<PairR
 /// Refines all placed sensors at once, over all pairs of them with sufficient evidence at the given
 /// poses.
 void refine(std::span<const RigPair> pairs, const std::vector<RigidTransform>& origin_from_sensor,
-            RigAnswer& answer) {
+            const RigOptions& options, RigAnswer& answer) {
   answer.refined = refine_rig(origin_from_sensor, answer.selection.origin,
-                              usable_pairs(pairs, answer.placed, origin_from_sensor));
+                              usable_pairs(pairs, answer.placed, origin_from_sensor, options),
+                              options.refinement, options.pair.residuals);
 }
 
 /// Refines again from the refined poses, where other matches agree than at the start.
-void refine_again(std::span<const RigPair> pairs, RigAnswer& answer) {
+void refine_again(std::span<const RigPair> pairs, const RigOptions& options, RigAnswer& answer) {
   std::vector<RigidTransform> now;
   for (const RefinedSensor& sensor : answer.refined) now.push_back(sensor.origin_from_sensor);
-  refine(pairs, now, answer);
+  refine(pairs, now, options, answer);
 }
 
-RigAnswer answer_of(std::size_t sensors, std::span<const RigPair> pairs) {
+RigAnswer answer_of(std::size_t sensors, std::span<const RigPair> pairs,
+                    const RigOptions& options) {
   // 1. Select the hypotheses that fit together, and the sensors without a rival pose.
   RigAnswer answer;
-  answer.selection = select_poses(sensors, pairs);
-  answer.placed = placed_sensors(answer.selection);
+  answer.selection =
+      select_poses(sensors, pairs, options.selection, options.pair.rivals, options.pair.evidence);
+  answer.placed = placed_sensors(answer.selection, options.pair.evidence.min_margin);
 
   // 2. Refine them jointly.
-  refine(pairs, answer.selection.best.group_from_sensor, answer);
+  refine(pairs, answer.selection.best.group_from_sensor, options, answer);
   return answer;
 }
 
 /// Solves until the answer does not contradict itself. The most contradicted sensor is removed each
 /// time, and the rest is solved again, because it must be valid on its own.
-RigAnswer answer_without_contradiction(std::size_t sensors, std::span<const RigPair> pairs) {
+RigAnswer answer_without_contradiction(std::size_t sensors, std::span<const RigPair> pairs,
+                                       const RigOptions& options) {
   std::vector<RigPair> left(pairs.begin(), pairs.end());
-  RigCheck check;
+  RigCheck check(options.contradiction);
   for (;;) {
-    RigAnswer answer = answer_of(sensors, left);
+    RigAnswer answer = answer_of(sensors, left, options);
     auto fooled = check.contradicted_sensor(left, answer);
     if (fooled) {
-      refine_again(left, answer);  // the poses may not be exact yet
+      refine_again(left, options, answer);  // the poses may not be exact yet
       fooled = check.contradicted_sensor(left, answer);
     }
     if (!fooled) return answer;
@@ -200,25 +201,27 @@ RigAnswer answer_without_contradiction(std::size_t sensors, std::span<const RigP
   }
 }
 
-WorldFrame world_of(std::span<const SensorView* const> views, const RigAnswer& answer) {
+WorldFrame world_of(std::span<const SensorView* const> views, const RigAnswer& answer,
+                    const WorldFrameOptions& options) {
   std::vector<Plane> floors;
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (answer.placed[i] && views[i]->floor)
       floors.push_back(transformed(answer.refined[i].origin_from_sensor, *views[i]->floor));
   }
-  return world_frame(floors);
+  return world_frame(floors, options);
 }
 
-PairReport report_of(const RigPair& pair, const RigAnswer& answer) {
+PairReport report_of(const RigPair& pair, const RigAnswer& answer, const RigOptions& options) {
   if (!answer.placed[pair.first] || !answer.placed[pair.second])
-    return report_refused(pair, answer);
+    return report_refused(pair, answer, options.refusal);
   const RigidTransform selected = answer.selection.best.relative(pair.first, pair.second);
   PairReport report =
-      report_placed(pair, pair.candidates->examine(selected), answer.relative(pair));
+      report_placed(pair, pair.candidates->examine(selected), answer.relative(pair), options);
   const RefinedSensor &a = answer.refined[pair.first], &b = answer.refined[pair.second];
   report.expected_error_mm =
       1000 * std::sqrt(std::max(0.0, variance_at_view_m2(a, b)) +
-                       std::max(0.0, variance_at_view_m2(b, b)) + variance_of_pointing_m2());
+                       std::max(0.0, variance_at_view_m2(b, b)) +
+                       variance_of_pointing_m2(options.placing.pointing_sigma_rad));
   return report;
 }
 
@@ -236,7 +239,8 @@ void describe_pairs(const std::vector<PairReport>& pairs, SensorReport& report) 
 }
 
 SensorReport report_of(std::size_t index, const std::string& name, const RigAnswer& answer,
-                       const WorldFrame& world, const std::vector<PairReport>& pairs) {
+                       const WorldFrame& world, const std::vector<PairReport>& pairs,
+                       double pointing_sigma_rad) {
   SensorReport report;
   report.id = name;
   report.placed = answer.placed[index];
@@ -246,7 +250,7 @@ SensorReport report_of(std::size_t index, const std::string& name, const RigAnsw
   }
   const RefinedSensor& refined = answer.refined[index];
   report.world_from_depth = world.world_from_origin * refined.origin_from_sensor;
-  describe_error(refined, report);
+  describe_error(refined, pointing_sigma_rad, report);
   describe_pairs(pairs, report);
   report.correction = refined.correction;
   report.reason = index == answer.selection.origin ? "stands at the origin" : "placed";
@@ -255,16 +259,17 @@ SensorReport report_of(std::size_t index, const std::string& name, const RigAnsw
 
 }  // namespace
 
-AlignmentReport place_rig(std::span<const SensorView* const> views,
-                          std::span<const RigPair> pairs) {
+AlignmentReport place_rig(std::span<const SensorView* const> views, std::span<const RigPair> pairs,
+                          const RigOptions& options) {
   AlignmentReport report;
   if (views.empty()) return report;
-  const RigAnswer answer = answer_without_contradiction(views.size(), pairs);
-  const WorldFrame world = world_of(views, answer);
+  const RigAnswer answer = answer_without_contradiction(views.size(), pairs, options);
+  const WorldFrame world = world_of(views, answer, options.world_frame);
   report.has_floor = world.has_floor;
-  for (const RigPair& pair : pairs) report.pairs.push_back(report_of(pair, answer));
+  for (const RigPair& pair : pairs) report.pairs.push_back(report_of(pair, answer, options));
   for (std::size_t i = 0; i < views.size(); ++i)
-    report.sensors.push_back(report_of(i, views[i]->name, answer, world, report.pairs));
+    report.sensors.push_back(report_of(i, views[i]->name, answer, world, report.pairs,
+                                       options.placing.pointing_sigma_rad));
   return report;
 }
 

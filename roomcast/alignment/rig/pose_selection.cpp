@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "roomcast/alignment/pair/pose_difference.h"
@@ -11,15 +10,19 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr std::size_t kEdgesPerPair = 6;
-constexpr std::size_t kBeam = 24;
-constexpr double kSameAngle_rad = 0.7 * std::numbers::pi / 180, kSameDistance_m = 0.03;
 constexpr double kNoRival = 99;
 
-bool is_same_answer(const PlacedGroups& one, const PlacedGroups& other) {
+struct SelectionRules {
+  PoseSelectionOptions selection;
+  RivalOptions rivals;
+  EvidenceOptions evidence;
+};
+
+bool is_same_answer(const PlacedGroups& one, const PlacedGroups& other,
+                    const RivalOptions& rivals) {
   if (one.group != other.group) return false;
   for (std::size_t i = 0; i < one.group.size(); ++i) {
-    if (are_rivals(one.group_from_sensor[i], other.group_from_sensor[i])) return false;
+    if (are_rivals(one.group_from_sensor[i], other.group_from_sensor[i], rivals)) return false;
   }
   return true;
 }
@@ -28,15 +31,18 @@ bool is_same_answer(const PlacedGroups& one, const PlacedGroups& other) {
 /// examined once.
 class LoopEvidence {
  public:
-  explicit LoopEvidence(std::span<const RigPair> pairs) : pairs_(pairs), examined_(pairs.size()) {}
+  LoopEvidence(std::span<const RigPair> pairs, const SelectionRules& rules)
+      : pairs_(pairs), rules_(rules), examined_(pairs.size()) {}
 
   const PoseEvidence& at(std::size_t pair, const RigidTransform& a_from_b) {
     for (const PoseEvidence& known : pairs_[pair].candidates->ranked()) {
-      if (!are_rivals(known.a_from_b, a_from_b)) return known;
+      if (!are_rivals(known.a_from_b, a_from_b, rules_.rivals)) return known;
     }
     for (const PoseEvidence& known : examined_[pair]) {
       const PoseDifference apart = difference(known.a_from_b, a_from_b);
-      if (apart.angle_rad < kSameAngle_rad && apart.distance_m < kSameDistance_m) return known;
+      if (apart.angle_rad < rules_.selection.same_angle_rad &&
+          apart.distance_m < rules_.selection.same_distance_m)
+        return known;
     }
     examined_[pair].push_back(pairs_[pair].candidates->examine(a_from_b));
     return examined_[pair].back();
@@ -44,6 +50,7 @@ class LoopEvidence {
 
  private:
   std::span<const RigPair> pairs_;
+  const SelectionRules& rules_;
   std::vector<std::vector<PoseEvidence>> examined_;
 };
 
@@ -53,13 +60,13 @@ struct Edge {
   const PoseEvidence* evidence;
 };
 
-std::vector<Edge> edges_of(std::span<const RigPair> pairs) {
+std::vector<Edge> edges_of(std::span<const RigPair> pairs, const SelectionRules& rules) {
   std::vector<Edge> edges;
   for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
     std::size_t taken = 0;
     for (const PoseEvidence& evidence : pairs[pair].candidates->ranked()) {
-      if (taken == kEdgesPerPair) break;
-      if (evidence.score < kPoseCost) continue;
+      if (taken == rules.selection.edges_per_pair) break;
+      if (evidence.score < rules.evidence.pose_cost) continue;
       edges.push_back({pair, &evidence});
       ++taken;
     }
@@ -106,24 +113,25 @@ PooledEvidence pooled_evidence(const PlacedGroups& before, const PlacedGroups& a
   return pooled;
 }
 
-/// Keeps the `most` answers with the highest scores, each once.
-void keep_best(std::vector<PlacedGroups>& placements, std::size_t most) {
+/// Keeps the answers with the highest scores, each once.
+void keep_best(std::vector<PlacedGroups>& placements, const SelectionRules& rules) {
   std::stable_sort(placements.begin(), placements.end(),
                    [](const PlacedGroups& x, const PlacedGroups& y) { return x.score > y.score; });
   std::vector<PlacedGroups> kept;
   for (PlacedGroups& placement : placements) {
-    if (kept.size() == most) break;
+    if (kept.size() == rules.selection.beam) break;
     const bool is_new = std::none_of(kept.begin(), kept.end(), [&](const PlacedGroups& better) {
-      return is_same_answer(placement, better);
+      return is_same_answer(placement, better, rules.rivals);
     });
     if (is_new) kept.push_back(std::move(placement));
   }
   placements = std::move(kept);
 }
 
-/// The kBeam best answers that extend an answer in `beam` by one edge.
+/// The best answers that extend an answer in `beam` by one edge.
 std::vector<PlacedGroups> extended(std::span<const PlacedGroups> beam, std::span<const Edge> edges,
-                                   std::span<const RigPair> pairs, LoopEvidence& evidence) {
+                                   std::span<const RigPair> pairs, const SelectionRules& rules,
+                                   LoopEvidence& evidence) {
   std::vector<PlacedGroups> next;
   for (const PlacedGroups& before : beam) {
     for (const Edge& edge : edges) {
@@ -131,12 +139,13 @@ std::vector<PlacedGroups> extended(std::span<const PlacedGroups> beam, std::span
       if (before.together(pair.first, pair.second)) continue;
       PlacedGroups after = joined(before, pair, edge.evidence->a_from_b);
       const PooledEvidence pooled = pooled_evidence(before, after, pairs, edge, evidence);
-      if (!is_strong(*edge.evidence) && !is_strong(pooled)) continue;
-      after.score = before.score + pooled.score - kPoseCost;
+      if (!is_strong(*edge.evidence, rules.evidence) && !is_strong(pooled, rules.evidence))
+        continue;
+      after.score = before.score + pooled.score - rules.evidence.pose_cost;
       next.push_back(std::move(after));
     }
   }
-  keep_best(next, kBeam);
+  keep_best(next, rules);
   return next;
 }
 
@@ -147,7 +156,8 @@ std::size_t largest_group(const PlacedGroups& placement) {
                                   members.begin());
 }
 
-void measure_margins(std::span<const PlacedGroups> answers, PoseSelection& selection) {
+void measure_margins(std::span<const PlacedGroups> answers, const RivalOptions& rivals,
+                     PoseSelection& selection) {
   const PlacedGroups& best = selection.best;
   const std::size_t origin = selection.origin;
   selection.margin_to_rival.assign(best.group.size(), kNoRival);
@@ -158,7 +168,7 @@ void measure_margins(std::span<const PlacedGroups> answers, PoseSelection& selec
       if (!best.together(i, origin)) continue;
       if (!other.together(i, origin)) {
         selection.margin_to_unplaced[i] = std::min(selection.margin_to_unplaced[i], behind);
-      } else if (are_rivals(best.relative(origin, i), other.relative(origin, i))) {
+      } else if (are_rivals(best.relative(origin, i), other.relative(origin, i), rivals)) {
         selection.margin_to_rival[i] = std::min(selection.margin_to_rival[i], behind);
       }
     }
@@ -167,13 +177,16 @@ void measure_margins(std::span<const PlacedGroups> answers, PoseSelection& selec
 
 }  // namespace
 
-PoseSelection select_poses(std::size_t sensors, std::span<const RigPair> pairs) {
-  const std::vector<Edge> edges = edges_of(pairs);
-  LoopEvidence evidence(pairs);
+PoseSelection select_poses(std::size_t sensors, std::span<const RigPair> pairs,
+                           const PoseSelectionOptions& options, const RivalOptions& rivals,
+                           const EvidenceOptions& evidence_options) {
+  const SelectionRules rules{options, rivals, evidence_options};
+  const std::vector<Edge> edges = edges_of(pairs, rules);
+  LoopEvidence evidence(pairs, rules);
   std::vector<PlacedGroups> beam = {unplaced_groups(sensors)};
   std::vector<PlacedGroups> answers = beam;
   while (!beam.empty()) {
-    beam = extended(beam, edges, pairs, evidence);
+    beam = extended(beam, edges, pairs, rules, evidence);
     answers.insert(answers.end(), beam.begin(), beam.end());
   }
   PoseSelection selection;
@@ -181,7 +194,7 @@ PoseSelection select_poses(std::size_t sensors, std::span<const RigPair> pairs) 
       answers.begin(), answers.end(),
       [](const PlacedGroups& x, const PlacedGroups& y) { return x.score < y.score; });
   selection.origin = largest_group(selection.best);
-  measure_margins(answers, selection);
+  measure_margins(answers, rivals, selection);
   return selection;
 }
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -44,6 +45,27 @@ struct PoseSelection {
   std::size_t origin = 0;  // the lowest sensor of the largest group
 };
 
-[[nodiscard]] PoseSelection select_poses(std::size_t sensors, std::span<const RigPair> pairs);
+/// Chosen on the development rooms (alignment_options.h).
+struct PoseSelectionOptions {
+  std::size_t edges_per_pair = 6;  // hypotheses of a pair that may be edges
+  std::size_t beam = 24;           // answers kept of each size
+  /// Poses that differ by less have the same evidence.
+  double same_angle_rad = 0.7 * std::numbers::pi / 180, same_distance_m = 0.03;
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("edges_per_pair", edges_per_pair, Range{1, 1000});
+    visit("beam", beam, Range{1, 10000});
+    visit("same_angle_rad", same_angle_rad, Range{0, std::numbers::pi});
+    visit("same_distance_m", same_distance_m, Range{0, 10});
+  }
+  [[nodiscard]] Status check() const { return check_fields("PoseSelectionOptions", *this); }
+};
+
+/// `rivals` and `evidence`: as for the candidates of all pairs.
+[[nodiscard]] PoseSelection select_poses(std::size_t sensors, std::span<const RigPair> pairs,
+                                         const PoseSelectionOptions& options = {},
+                                         const RivalOptions& rivals = {},
+                                         const EvidenceOptions& evidence = {});
 
 }  // namespace roomcast::alignment

@@ -5,9 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "roomcast/alignment/feature/affine_features.h"
-#include "roomcast/alignment/rig/placed_rig.h"
-
 namespace roomcast::alignment {
 namespace {
 
@@ -51,7 +48,7 @@ AlignmentReport RigAligner::solve(const AlignProgress& progress) {
 AlignmentReport RigAligner::placed() const {
   std::vector<const SensorView*> views;
   for (const auto& view : views_) views.push_back(view.get());
-  return place_rig(views, pairs());
+  return place_rig(views, pairs(), options_);
 }
 
 const PairCandidates* RigAligner::pair(const std::string& one, const std::string& other) const {
@@ -73,8 +70,8 @@ bool RigAligner::add_affine_matches_to_refused(const AlignmentReport& report,
         pair.candidates->has_plausible())
       return;
     if (progress) progress(fmt::format("matching {} and {} again", a.name, b.name), kPlacing);
-    pair.candidates->add_affine_matches(
-        affine_matches(affine_features_of(a), affine_features_of(b)));
+    pair.candidates->add_affine_matches(affine_matches(
+        affine_features_of(a), affine_features_of(b), options_.pair.matching, a.options.repeating));
     any = pair.has_affine_matches = true;
   });
   return any;
@@ -82,7 +79,9 @@ bool RigAligner::add_affine_matches_to_refused(const AlignmentReport& report,
 
 const FeatureSet& RigAligner::affine_features_of(const SensorView& view) {
   const auto [entry, is_new] = affine_features_.try_emplace(view.name);
-  if (is_new) entry->second = affine_features(view.picture, view.surface);
+  if (is_new)
+    entry->second = affine_features(view.picture, view.surface, view.options.affine_features,
+                                    view.options.lifting, view.options.repeating);
   return entry->second;
 }
 
@@ -91,7 +90,8 @@ void RigAligner::compare_new_pairs(const AlignProgress& progress) {
     const SensorView &a = *views_[i], &b = *views_[j];
     if (progress) progress(fmt::format("comparing {} with {}", a.name, b.name), kFinding * done);
     const Names names(a.name, b.name);
-    if (!pairs_.contains(names)) pairs_[names].comparison = compare_views(a, b);
+    if (!pairs_.contains(names))
+      pairs_[names].comparison = compare_views(a, b, options_.pair.matching);
   });
 }
 
@@ -105,8 +105,11 @@ void RigAligner::find_new_candidates(const AlignProgress& progress) {
     }
     Pair& pair = pairs_.at({a.name, b.name});
     if (pair.candidates) return;
-    pair.candidates = std::make_unique<PairCandidates>(
-        a, b, weighted_matches(a, look_alikes[i], b, look_alikes[j], pair.comparison));
+    pair.candidates =
+        std::make_unique<PairCandidates>(a, b,
+                                         weighted_matches(a, look_alikes[i], b, look_alikes[j],
+                                                          pair.comparison, options_.pair.matching),
+                                         options_.pair);
     pair.comparison.free_matches();
   });
 }

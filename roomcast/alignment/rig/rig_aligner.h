@@ -16,6 +16,7 @@
 #include "roomcast/alignment/feature/sensor_view.h"
 #include "roomcast/alignment/pair/feature_matches.h"
 #include "roomcast/alignment/rig/alignment_report.h"
+#include "roomcast/alignment/rig/placed_rig.h"
 #include "roomcast/alignment/rig/pose_selection.h"
 
 namespace roomcast::alignment {
@@ -25,6 +26,9 @@ using AlignProgress = std::function<void(std::string_view step, double done)>;
 
 class RigAligner {
  public:
+  /// `options` have passed check(). Views have options of their own.
+  explicit RigAligner(const RigOptions& options = {}) : options_(options) {}
+
   /// Replaces an earlier sensor of the same name.
   void add(std::shared_ptr<const SensorView> view);
   void remove(const std::string& name);
@@ -53,6 +57,7 @@ class RigAligner {
   [[nodiscard]] std::vector<DescriptorAmbiguity> look_alikes_in_rig() const;
   [[nodiscard]] std::vector<RigPair> pairs() const;
 
+  RigOptions options_;
   std::vector<std::shared_ptr<const SensorView>> views_;
   std::map<Names, Pair> pairs_;
   std::map<std::string, FeatureSet> affine_features_;  // by sensor, only where needed

@@ -15,6 +15,38 @@
 
 namespace roomcast::alignment {
 
+/// Limits of what all other sensors say against a refined pose. They are stricter than those of
+/// candidates, because refined poses are exact. Shares, unless noted.
+struct RigCheckOptions {
+  // Surfaces: chosen on the development rooms (alignment_options.h).
+  double max_conflict = 0.0275, negligible_violation = 0.004;
+  double max_solid_conflict = 0.012, negligible_solid = 12;  // the second in blocks
+
+  // Prints that differ, of the texture judged and of a view: sensors of one room leave a tenth of
+  // it at most. Two sensors of another, tiled room with the same greys and hues left 0.5 and 0.9 %,
+  // which was no more than 0.2 and 0.4 % of a view (ADR 12).
+  double max_print_conflict = 0.003, negligible_prints = 0.0015;
+  double max_hue_conflict = 0.3;  // of places alike in grey (ADR 12)
+  double min_prints = 0.04;       // of a view: less is no evidence of hues (ADR 12)
+  double exact_colors = 0.8;      // correlation of colours that are aligned with depth
+  int majority = 3;  // sensors whose colours agree, so that one that disagrees is wrong
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("max_conflict", max_conflict, Range{1e-6, 1});
+    visit("negligible_violation", negligible_violation, Range{0, 1});
+    visit("max_solid_conflict", max_solid_conflict, Range{1e-6, 1});
+    visit("negligible_solid", negligible_solid, Range{0, 1e6});
+    visit("max_print_conflict", max_print_conflict, Range{1e-6, 1});
+    visit("negligible_prints", negligible_prints, Range{0, 1});
+    visit("max_hue_conflict", max_hue_conflict, Range{1e-6, 1});
+    visit("min_prints", min_prints, Range{0, 1});
+    visit("exact_colors", exact_colors, Range{-1, 1});
+    visit("majority", majority, Range{2, 1000});
+  }
+  [[nodiscard]] Status check() const { return check_fields("RigCheckOptions", *this); }
+};
+
 /// A refined answer: which sensors are placed, and where.
 struct RigAnswer {
   PoseSelection selection;
@@ -33,12 +65,15 @@ struct RigAnswer {
 /// Checks successive answers for the same sensors.
 class RigCheck {
  public:
+  explicit RigCheck(const RigCheckOptions& options = {}) : options_(options) {}
+
   /// The sensor whose refined pose contradicts the views of all others most; nothing if none does.
   /// Of equals, one that is not the origin, then the one with the smaller margin.
   [[nodiscard]] std::optional<std::size_t> contradicted_sensor(std::span<const RigPair> pairs,
                                                                const RigAnswer& answer);
 
  private:
+  RigCheckOptions options_;
   std::vector<bool> exact_colors_;  // sensors whose colours agreed with another's in any check
 };
 

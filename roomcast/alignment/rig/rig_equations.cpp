@@ -64,10 +64,11 @@ void RigEquations::add(std::size_t a, std::size_t b, const RigidTransform& origi
   gradient_.segment<kN>(place(b)) += gradient.tail<kN>();
 }
 
-void RigEquations::add_prior(std::size_t sensor, const SensorCorrection& correction) {
+void RigEquations::add_prior(std::size_t sensor, const SensorCorrection& correction,
+                             const ColorShiftOptions& shift) {
   const Eigen::Index first = place(sensor) + kCorrection;
   const Eigen::Vector2d& shift_px = correction.color_shift_px;
-  const double shift_weight = shift_prior_weight(shift_px);
+  const double shift_weight = shift_prior_weight(shift_px, shift);
   information_.diagonal().segment<2>(first + kShift).array() += shift_weight;
   gradient_.segment<2>(first + kShift) += shift_weight * shift_px;
 }

@@ -31,7 +31,8 @@ class RigEquations {
            const PairEquations& equations);
 
   /// Adds the prior of a sensor's calibration, at its current correction.
-  void add_prior(std::size_t sensor, const SensorCorrection& correction);
+  void add_prior(std::size_t sensor, const SensorCorrection& correction,
+                 const ColorShiftOptions& shift = {});
 
   /// One vector of kSensorUnknowns for each sensor. Unconstrained sensors do not move; depth is
   /// fixed.

@@ -5,23 +5,15 @@
 #include <cmath>
 
 #include "roomcast/alignment/pair/corrected_matches.h"
-#include "roomcast/alignment/pair/feature_residuals.h"
-#include "roomcast/alignment/pair/surface_residuals.h"
 #include "roomcast/alignment/rig/rig_equations.h"
 
 namespace roomcast::alignment {
 namespace {
 
-constexpr int kSteps = 16;
-constexpr std::size_t kPoints = 8000;
-constexpr float kReach_m = 0.08F, kMinReach_m = 0.03F, kShrink = 0.75F;
-constexpr float kFeatureReach_m = 0.08F;
-// Features are located to a quarter of a pixel, but errors of neighbouring features are correlated,
-// through remaining errors of calibration and depth. However many features there are, they count as
-// no more than so many independent ones.
-constexpr double kIndependentFeatures = 30;
-constexpr double kStill = 3e-5;  // metres and radians
-constexpr double kMinEvidenceKept = 0.5, kMinMatchesKept = 0.5, kMinCommonKept = 0.95;
+struct RefinementRules {
+  RigRefinementOptions refinement;
+  ResidualOptions residuals;
+};
 
 /// A pair and the matches that agreed with it when refinement began.
 struct ActivePair {
@@ -52,12 +44,13 @@ void initialise_corrections(std::span<const RigPair> pairs, std::vector<RefinedS
   }
 }
 
-std::vector<PointMatch> agreeing_at(const RigPair& pair, std::span<const RefinedSensor> sensors) {
+std::vector<PointMatch> agreeing_at(const RigPair& pair, std::span<const RefinedSensor> sensors,
+                                    float reach_m) {
   const PairState state = state_of(pair, sensors);
   const PairCandidates& candidates = *pair.candidates;
   return agreeing_matches(corrected_matches(candidates.matches(), candidates.a().picture,
                                             candidates.b().picture, state),
-                          state.a_from_b, kFeatureReach_m);
+                          state.a_from_b, reach_m);
 }
 
 /// Surfaces and features that a pair's sensors share at the current poses.
@@ -67,64 +60,70 @@ struct Shared {
   double noise;
   FeatureTrust trust;
 
-  Shared(const ActivePair& held, std::span<const RefinedSensor> sensors, float reach_m)
+  Shared(const ActivePair& held, std::span<const RefinedSensor> sensors,
+         const RefinementRules& rules, float reach_m)
       : state(state_of(*held.pair, sensors)) {
     const SensorView& a = held.pair->candidates->a();
     const SensorView& b = held.pair->candidates->b();
-    partners = surface_partners(a.surface, b.surface, state.a_from_b, {reach_m, kPoints});
-    noise = surface_noise(partners);
-    const double features =
-        std::max(kIndependentFeatures, static_cast<double>(held.agreeing.size()));
-    trust = {feature_sigma_px(a.picture, b.picture, state, held.agreeing),
-             kIndependentFeatures / features};
+    partners = surface_partners(a.surface, b.surface, state.a_from_b,
+                                {reach_m, rules.refinement.points}, rules.residuals.surfaces);
+    noise = surface_noise(partners, rules.residuals.surfaces);
+    const double independent = rules.refinement.independent_features;
+    const double features = std::max(independent, static_cast<double>(held.agreeing.size()));
+    trust = {feature_sigma_px(a.picture, b.picture, state, held.agreeing, rules.residuals.features),
+             independent / features};
   }
 };
 
-PairEquations equations_of(const ActivePair& held, const Shared& shared) {
+PairEquations equations_of(const ActivePair& held, const Shared& shared,
+                           const ResidualOptions& options) {
   const PairCandidates& pair = *held.pair->candidates;
-  PairEquations equations = surface_equations(shared.partners, shared.state.a_from_b, shared.noise);
+  PairEquations equations =
+      surface_equations(shared.partners, shared.state.a_from_b, shared.noise, options.surfaces);
   equations.add(feature_equations(pair.a().picture, pair.b().picture, shared.state, held.agreeing,
-                                  shared.trust));
+                                  shared.trust, options.features));
   return equations;
 }
 
-PairScores scores_of(const ActivePair& held, const Shared& shared) {
+PairScores scores_of(const ActivePair& held, const Shared& shared, const RefinementRules& rules) {
   const PairCandidates& pair = *held.pair->candidates;
   PairScores scores;
-  add_surface_scores(shared.partners, shared.state.a_from_b, shared.noise, scores);
+  scores.patches = rules.refinement.patches;
+  add_surface_scores(shared.partners, shared.state.a_from_b, shared.noise, scores,
+                     rules.residuals.surfaces);
   add_feature_scores(pair.a().picture, pair.b().picture, shared.state, held.agreeing, shared.trust,
-                     scores);
+                     scores, rules.residuals.features);
   return scores;
 }
 
 RigEquations rig_equations(std::span<const ActivePair> pairs,
                            std::span<const RefinedSensor> sensors, std::size_t origin,
-                           float reach_m) {
+                           const RefinementRules& rules, float reach_m) {
   RigEquations rig(sensors.size(), origin);
   for (const ActivePair& held : pairs) {
     const RigPair& pair = *held.pair;
     rig.add(pair.first, pair.second, sensors[pair.first].origin_from_sensor,
-            equations_of(held, Shared(held, sensors, reach_m)));
+            equations_of(held, Shared(held, sensors, rules, reach_m), rules.residuals));
   }
-  for (std::size_t i = 0; i < sensors.size(); ++i) rig.add_prior(i, sensors[i].correction);
+  for (std::size_t i = 0; i < sensors.size(); ++i)
+    rig.add_prior(i, sensors[i].correction, rules.residuals.color_shift);
   return rig;
 }
 
 RigScatter rig_scatter(std::span<const ActivePair> pairs, std::span<const RefinedSensor> sensors,
-                       float reach_m) {
+                       const RefinementRules& rules, float reach_m) {
   RigScatter scatter(sensors.size());
   for (const ActivePair& held : pairs) {
     const RigPair& pair = *held.pair;
     scatter.add(pair.first, pair.second, sensors[pair.first].origin_from_sensor,
-                scores_of(held, Shared(held, sensors, reach_m)));
+                scores_of(held, Shared(held, sensors, rules, reach_m), rules));
   }
   return scatter;
 }
 
 /// Depth uncertainty given the observed smooth disagreement: an error common to the sensors may be
 /// as large.
-DepthUncertainty doubt_of(const RigScatter& scatter) {
-  DepthUncertainty doubt;
+DepthUncertainty doubt_of(const RigScatter& scatter, DepthUncertainty doubt) {
   doubt.offset_m = std::hypot(doubt.offset_m, scatter.disagreement_m());
   return doubt;
 }
@@ -142,14 +141,15 @@ double move(std::vector<RefinedSensor>& sensors, const RigEquations& equations) 
   return largest;
 }
 
-/// Gauss-Newton until convergence, at most kSteps steps.
-void settle(std::span<const ActivePair> held, std::size_t origin,
+/// Gauss-Newton until convergence, or until the steps are used up.
+void settle(std::span<const ActivePair> held, std::size_t origin, const RefinementRules& rules,
             std::vector<RefinedSensor>& sensors) {
-  float reach_m = kReach_m;
-  for (int i = 0; i < kSteps; ++i) {
-    const double largest = move(sensors, rig_equations(held, sensors, origin, reach_m));
-    if (reach_m == kMinReach_m && largest < kStill) break;
-    reach_m = std::max(kMinReach_m, kShrink * reach_m);
+  const RigRefinementOptions& options = rules.refinement;
+  float reach_m = options.reach_m;
+  for (int i = 0; i < options.max_steps; ++i) {
+    const double largest = move(sensors, rig_equations(held, sensors, origin, rules, reach_m));
+    if (reach_m == options.min_reach_m && largest < options.still) break;
+    reach_m = std::max(options.min_reach_m, options.shrink * reach_m);
   }
 }
 
@@ -157,17 +157,21 @@ void settle(std::span<const ActivePair> held, std::size_t origin,
 struct Hold {
   double matches = 0, common = 0;
 
-  Hold(std::span<const ActivePair> held, std::span<const RefinedSensor> sensors) {
+  Hold(std::span<const ActivePair> held, std::span<const RefinedSensor> sensors, float reach_m) {
     for (const ActivePair& each : held) {
       const PairCandidates& pair = *each.pair->candidates;
       const PairState state = state_of(*each.pair, sensors);
-      matches += match_support(agreeing_at(*each.pair, sensors)).weight;
-      common += check_free_space(pair.a().surface, pair.b().surface, state.a_from_b, kTestedPoints)
-                    .consistent;
+      const PairOptions& options = pair.options();
+      const FreeSpaceOptions& space = options.free_space;
+      matches += match_support(agreeing_at(*each.pair, sensors, reach_m), options.support).weight;
+      common +=
+          check_free_space(pair.a().surface, pair.b().surface, state.a_from_b, space.points, space)
+              .consistent;
     }
   }
-  [[nodiscard]] bool is_lost_from(const Hold& start) const {
-    return common < kMinCommonKept * start.common || matches < kMinMatchesKept * start.matches;
+  [[nodiscard]] bool is_lost_from(const Hold& start, const RigRefinementOptions& options) const {
+    return common < options.min_common_kept * start.common ||
+           matches < options.min_matches_kept * start.matches;
   }
 };
 
@@ -183,32 +187,39 @@ double evidence_for(std::span<const ActivePair> held, std::span<const RefinedSen
 /// views share little. A lower score alone is no proof: colours misaligned with depth favour the
 /// worse pose.
 bool slid(std::span<const ActivePair> held, std::span<const RefinedSensor> start,
-          std::span<const RefinedSensor> refined) {
-  return Hold(held, refined).is_lost_from(Hold(held, start)) &&
-         evidence_for(held, refined) < kMinEvidenceKept * evidence_for(held, start);
+          std::span<const RefinedSensor> refined, const RigRefinementOptions& options) {
+  const float reach_m = options.feature_reach_m;
+  return Hold(held, refined, reach_m).is_lost_from(Hold(held, start, reach_m), options) &&
+         evidence_for(held, refined) < options.min_evidence_kept * evidence_for(held, start);
 }
 
 void add_covariance(std::span<const ActivePair> held, std::size_t origin,
-                    std::vector<RefinedSensor>& sensors) {
-  const RigScatter scatter = rig_scatter(held, sensors, kMinReach_m);
-  const auto covariance = rig_equations(held, sensors, origin, kMinReach_m)
-                              .motion_covariance(scatter, doubt_of(scatter));
+                    const RefinementRules& rules, std::vector<RefinedSensor>& sensors) {
+  const float reach_m = rules.refinement.min_reach_m;
+  const RigScatter scatter = rig_scatter(held, sensors, rules, reach_m);
+  const auto covariance =
+      rig_equations(held, sensors, origin, rules, reach_m)
+          .motion_covariance(scatter, doubt_of(scatter, rules.refinement.depth_uncertainty));
   for (std::size_t i = 0; i < sensors.size(); ++i) sensors[i].covariance = covariance[i];
 }
 
 }  // namespace
 
 std::vector<RefinedSensor> refine_rig(std::span<const RigidTransform> origin_from_sensor,
-                                      std::size_t origin, std::span<const RigPair> pairs) {
+                                      std::size_t origin, std::span<const RigPair> pairs,
+                                      const RigRefinementOptions& options,
+                                      const ResidualOptions& residuals) {
+  const RefinementRules rules{options, residuals};
   std::vector<RefinedSensor> start;
   for (const RigidTransform& pose : origin_from_sensor) start.push_back({pose, {}});
   initialise_corrections(pairs, start);
   std::vector<ActivePair> held;
-  for (const RigPair& pair : pairs) held.push_back({&pair, agreeing_at(pair, start)});
+  for (const RigPair& pair : pairs)
+    held.push_back({&pair, agreeing_at(pair, start, options.feature_reach_m)});
   std::vector<RefinedSensor> refined = start;
-  settle(held, origin, refined);
-  if (slid(held, start, refined)) refined = start;
-  add_covariance(held, origin, refined);
+  settle(held, origin, rules, refined);
+  if (slid(held, start, refined, options)) refined = start;
+  add_covariance(held, origin, rules, refined);
   return refined;
 }
 

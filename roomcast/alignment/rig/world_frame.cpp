@@ -9,21 +9,19 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr float kAgreeCosine = 0.9962F;  // 5 degrees
-constexpr float kAgreeHeight_m = 0.10F;
-
-bool agree(const Plane& one, const Plane& other) {
-  return one.normal.dot(other.normal) > kAgreeCosine &&
-         std::abs(one.offset_m - other.offset_m) < kAgreeHeight_m;
+bool agree(const Plane& one, const Plane& other, const WorldFrameOptions& options) {
+  return one.normal.dot(other.normal) > options.agree_cosine &&
+         std::abs(one.offset_m - other.offset_m) < options.agree_height_m;
 }
 
 /// The largest set of floors that agree: a table mistaken for a floor is outvoted.
-std::vector<Plane> largest_agreement(std::span<const Plane> floors) {
+std::vector<Plane> largest_agreement(std::span<const Plane> floors,
+                                     const WorldFrameOptions& options) {
   std::vector<Plane> best;
   for (const Plane& candidate : floors) {
     std::vector<Plane> with;
     std::copy_if(floors.begin(), floors.end(), std::back_inserter(with),
-                 [&](const Plane& other) { return agree(candidate, other); });
+                 [&](const Plane& other) { return agree(candidate, other, options); });
     const bool lower = !best.empty() && candidate.offset_m > best.front().offset_m;
     if (with.size() > best.size() || (with.size() == best.size() && lower)) best = with;
   }
@@ -61,9 +59,9 @@ Plane transformed(const RigidTransform& a_from_b, const Plane& plane) {
   return {normal.cast<float>(), static_cast<float>(offset), {}};
 }
 
-WorldFrame world_frame(std::span<const Plane> floors_in_origin) {
+WorldFrame world_frame(std::span<const Plane> floors_in_origin, const WorldFrameOptions& options) {
   WorldFrame frame;
-  const std::vector<Plane> floors = largest_agreement(floors_in_origin);
+  const std::vector<Plane> floors = largest_agreement(floors_in_origin, options);
   if (floors.empty()) {
     frame.world_from_origin.rotation = world_from_origin_rotation(-Eigen::Vector3d::UnitY());
     return frame;
