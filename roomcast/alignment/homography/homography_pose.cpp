@@ -17,30 +17,23 @@
 namespace roomcast::alignment {
 namespace {
 
-constexpr int kMaxCorners = 800, kPatchReach = 5, kMinMatches = 8;
-constexpr double kMinQuality = 0.002, kMinApart_px = 5, kHarrisK = 0.04;
-constexpr float kMinCorrelation = 0.8F;
-constexpr double kInlier_px = 3, kConfidence = 0.999;
-constexpr int kRansacTrials = 5000;
-constexpr std::size_t kMinLifted = 3;
-
 /// Corners and the patches around them, one per row, normalised to mean 0 and length 1.
 struct Corners {
   std::vector<cv::Point2f> pixels;
   cv::Mat patches;
 };
 
-Corners find_corners(const Image<std::uint8_t>& grey) {
+Corners find_corners(const Image<std::uint8_t>& grey, const HomographyOptions& options) {
+  const int reach = options.patch_reach_px;
   const cv::Mat picture(grey.height(), grey.width(), CV_8UC1,
                         const_cast<std::uint8_t*>(grey.data()));
   std::vector<cv::Point2f> found;
-  cv::goodFeaturesToTrack(picture, found, kMaxCorners, kMinQuality, kMinApart_px, cv::noArray(), 3,
-                          true, kHarrisK);
+  cv::goodFeaturesToTrack(picture, found, options.max_corners, options.min_quality,
+                          options.min_apart_px, cv::noArray(), 3, true, options.harris_k);
   Corners corners;
   for (const cv::Point2f& pixel : found) {
     const int x = cvRound(pixel.x), y = cvRound(pixel.y);
-    const cv::Rect window(x - kPatchReach, y - kPatchReach, 2 * kPatchReach + 1,
-                          2 * kPatchReach + 1);
+    const cv::Rect window(x - reach, y - reach, 2 * reach + 1, 2 * reach + 1);
     if ((window & cv::Rect(0, 0, picture.cols, picture.rows)) != window) continue;
     cv::Mat patch;
     picture(window).clone().reshape(1, 1).convertTo(patch, CV_32F);
@@ -64,14 +57,14 @@ int best_in(const float* values, int count, std::ptrdiff_t stride) {
 }
 
 /// Mutual best matches by normalised cross-correlation.
-CornerMatches match_corners(const Corners& a, const Corners& b) {
+CornerMatches match_corners(const Corners& a, const Corners& b, float min_correlation) {
   CornerMatches matches;
   if (a.pixels.empty() || b.pixels.empty()) return matches;
   const cv::Mat products = a.patches * b.patches.t();
   for (int i = 0; i < products.rows; ++i) {
     const int j = best_in(products.ptr<float>(i), products.cols, 1);
     const auto stride = static_cast<std::ptrdiff_t>(products.step1());
-    if (products.at<float>(i, j) < kMinCorrelation) continue;
+    if (products.at<float>(i, j) < min_correlation) continue;
     if (best_in(products.ptr<float>(0) + j, products.rows, stride) != i) continue;
     matches.a.push_back(a.pixels[static_cast<std::size_t>(i)]);
     matches.b.push_back(b.pixels[static_cast<std::size_t>(j)]);
@@ -140,12 +133,12 @@ RigidTransform color_from_depth(const ColorPicture& picture) {
           picture.color_from_depth_m.cast<double>()};
 }
 
-PairReport report_of(const SensorView& a, const SensorView& b) {
+PairReport report_of(const SensorView& a, const SensorView& b, const HomographyOptions& options) {
   PairReport report;
   report.a = a.name;
   report.b = b.name;
   report.reason = "no homography between corners of both pictures was found";
-  if (const auto pose = homography_pose(a, b)) {
+  if (const auto pose = homography_pose(a, b, options)) {
     report.accepted = true;
     report.b_from_a = pose->a_from_b.inverse();
     report.inliers = pose->inliers;
@@ -157,17 +150,19 @@ PairReport report_of(const SensorView& a, const SensorView& b) {
 
 }  // namespace
 
-std::optional<HomographyPose> homography_pose(const SensorView& a, const SensorView& b) {
+std::optional<HomographyPose> homography_pose(const SensorView& a, const SensorView& b,
+                                              const HomographyOptions& options) {
   cv::setNumThreads(1);
   const CornerMatches matches =
-      match_corners(find_corners(a.picture.grey), find_corners(b.picture.grey));
-  if (matches.a.size() < kMinMatches) return std::nullopt;
+      match_corners(find_corners(a.picture.grey, options), find_corners(b.picture.grey, options),
+                    options.min_correlation);
+  if (matches.a.size() < static_cast<std::size_t>(options.min_matches)) return std::nullopt;
   cv::Mat inliers;
-  const cv::Mat homography = cv::findHomography(matches.b, matches.a, cv::RANSAC, kInlier_px,
-                                                inliers, kRansacTrials, kConfidence);
+  const cv::Mat homography = cv::findHomography(matches.b, matches.a, cv::RANSAC, options.inlier_px,
+                                                inliers, options.ransac_trials, options.confidence);
   if (homography.empty()) return std::nullopt;
   const LiftedMatches lifted = lift(a, b, matches, inliers);
-  if (lifted.a.size() < kMinLifted) return std::nullopt;
+  if (lifted.a.size() < options.min_lifted) return std::nullopt;
   // The decomposition assumes one camera for both pictures, so b's pixels are converted to a's
   // camera.
   const cv::Mat camera_a = matrix_of(a.picture.camera), camera_b = matrix_of(b.picture.camera);
@@ -185,7 +180,8 @@ std::optional<HomographyPose> homography_pose(const SensorView& a, const SensorV
       cv::countNonZero(inliers)};
 }
 
-AlignmentReport align_by_homography(std::span<const std::shared_ptr<const SensorView>> views) {
+AlignmentReport align_by_homography(std::span<const std::shared_ptr<const SensorView>> views,
+                                    const HomographyOptions& options) {
   AlignmentReport report;
   if (views.empty()) return report;
   std::vector<Plane> floors;
@@ -199,7 +195,7 @@ AlignmentReport align_by_homography(std::span<const std::shared_ptr<const Sensor
     sensor.reason = "stands at the origin";
     RigidTransform origin_from_sensor;
     if (i > 0) {
-      report.pairs.push_back(report_of(*views[0], *views[i]));
+      report.pairs.push_back(report_of(*views[0], *views[i], options));
       const PairReport& pair = report.pairs.back();
       sensor.placed = pair.accepted;
       sensor.reason = pair.reason;

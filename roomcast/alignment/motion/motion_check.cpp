@@ -2,40 +2,28 @@
 #include "roomcast/alignment/motion/motion_check.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include "roomcast/alignment/pair/pair_equations.h"
-#include "roomcast/alignment/view/depth_noise.h"
-#include "roomcast/alignment/view/depth_surface.h"
 
 namespace roomcast::alignment {
 namespace {
 
-constexpr std::size_t kMaxLandmarks = 3000;
-constexpr float kFitSigmas = 3;           // largest misfit of a point that fits
-constexpr float kHidden_m = 0.05F;        // nearer by more than a fit: occluded
-constexpr float kGone_m = 0.10F;          // farther by more than a fit: the surface is gone
-constexpr double kMaxIndependent = 1500;  // errors of neighbouring readings are correlated
-constexpr double kLever_m = 2.5;          // at which rotation and shift have equal weight
-constexpr double kObservable_m = 0.007;   // a direction known less exactly counts as no motion
-/// The kernel's width in each step, in sigmas of a reading.
-constexpr std::array<float, 7> kWidening = {8, 6, 4, 2, 1, 1, 1};
-
 /// The solution of the equations, restricted to the well-determined directions.
-Vector6 known_motion(const Matrix6& information, const Vector6& gradient) {
+Vector6 known_motion(const Matrix6& information, const Vector6& gradient,
+                     const MotionCheckOptions& options) {
   Vector6 scale;  // radians as metres at the lever
-  scale << Eigen::Vector3d::Constant(1 / kLever_m), Eigen::Vector3d::Ones();
+  scale << Eigen::Vector3d::Constant(1 / options.lever_m), Eigen::Vector3d::Ones();
   const Matrix6 scaled = scale.asDiagonal() * information * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Matrix6> directions(scaled);
   const Vector6 along = directions.eigenvectors().transpose() * scale.cwiseProduct(gradient);
   Vector6 step = Vector6::Zero();
   for (Eigen::Index i = 0; i < 6; ++i) {
     const double known = directions.eigenvalues()(i);
-    if (known * kObservable_m * kObservable_m < 1) continue;
+    if (known * options.observable_m * options.observable_m < 1) continue;
     step -= along(i) / known * directions.eigenvectors().col(i);
   }
   return scale.cwiseProduct(step);
@@ -54,14 +42,18 @@ struct MotionCheck::Tally {
   [[nodiscard]] double mean_misfit() const { return misfit / std::max(1, comparable()); }
 };
 
-MotionCheck::MotionCheck(const CalibrationBundle& bundle)
-    : lens_(bundle.calibration.depth), rays_(ray_table(bundle.calibration.depth)) {
-  const auto samples = depth_surface(bundle.depth_mm, bundle.calibration.depth).samples;
-  const double step =
-      std::max(1.0, static_cast<double>(samples.size()) / static_cast<double>(kMaxLandmarks));
+MotionCheck::MotionCheck(const CalibrationBundle& bundle, const MotionCheckOptions& options)
+    : options_(options),
+      lens_(bundle.calibration.depth),
+      rays_(ray_table(bundle.calibration.depth)) {
+  const auto samples =
+      depth_surface(bundle.depth_mm, bundle.calibration.depth, options.surface).samples;
+  const double step = std::max(
+      1.0, static_cast<double>(samples.size()) / static_cast<double>(options.max_landmarks));
   for (double at = 0; at < static_cast<double>(samples.size()); at += step) {
     const SurfacePoint& sample = samples[static_cast<std::size_t>(at)];
-    landmarks_.push_back({sample.point_m, sample.normal, depth_sigma_m(sample.point_m.z())});
+    landmarks_.push_back(
+        {sample.point_m, sample.normal, options.surface.noise.sigma_m(sample.point_m.z())});
   }
 }
 
@@ -71,6 +63,7 @@ template <class Visit>
 void MotionCheck::for_each_reading(DepthView depth_mm, const RigidTransform& now_from_then,
                                    Visit visit) const {
   const Pose pose{now_from_then.rotation.cast<float>(), now_from_then.translation_m.cast<float>()};
+  const float nearest_m = options_.surface.nearest_m;
   for (const Landmark& landmark : landmarks_) {
     const Eigen::Vector3f point = pose.rotation * landmark.point_m + pose.shift;
     Eigen::Vector2f pixel;
@@ -80,7 +73,7 @@ void MotionCheck::for_each_reading(DepthView depth_mm, const RigidTransform& now
     if (x < 0 || y < 0 || x >= depth_mm.width || y >= depth_mm.height) continue;
     const float z_m = 0.001F * static_cast<float>(depth_mm.at(x, y));
     const Eigen::Vector2f& ray = rays_.at(x, y);
-    if (!(z_m > kNearestSurface_m) || std::isnan(ray.x())) continue;
+    if (!(z_m > nearest_m) || std::isnan(ray.x())) continue;
     const Eigen::Vector3f normal = pose.rotation * landmark.normal;
     visit(landmark, point, normal, normal.dot(point - z_m * ray.homogeneous()));
   }
@@ -103,21 +96,23 @@ RigidTransform MotionCheck::improved(DepthView depth_mm, const RigidTransform& n
                      gradient += weight * double(farther_m) * jacobian;
                      ++terms;
                    });
-  const double factor = std::min(1.0, kMaxIndependent / std::max(1, terms));
+  const double factor = std::min(1.0, options_.max_independent / std::max(1, terms));
   const Matrix6 whole = factor * Matrix6(information.selfadjointView<Eigen::Lower>());
-  return step_transform(known_motion(whole, factor * gradient)) * now_from_then;
+  return step_transform(known_motion(whole, factor * gradient, options_)) * now_from_then;
 }
 
 MotionCheck::Tally MotionCheck::tally(DepthView depth_mm,
                                       const RigidTransform& now_from_then) const {
+  const float fit_sigmas = options_.fit_sigmas;
+  const float hidden_m = options_.hidden_m, gone_m = options_.gone_m;
   Tally tally;
   for_each_reading(depth_mm, now_from_then,
                    [&](const Landmark& landmark, const Eigen::Vector3f&, const Eigen::Vector3f&,
                        float farther_m) {
-                     const float fits_m = kFitSigmas * landmark.sigma_m;
+                     const float fits_m = fit_sigmas * landmark.sigma_m;
                      ++tally.readings;
-                     if (farther_m < -fits_m - kHidden_m) return void(++tally.hidden);
-                     tally.gone += farther_m > fits_m + kGone_m;
+                     if (farther_m < -fits_m - hidden_m) return void(++tally.hidden);
+                     tally.gone += farther_m > fits_m + gone_m;
                      tally.fitting += std::abs(farther_m) <= fits_m;
                      const auto sigmas = double(farther_m / landmark.sigma_m);
                      tally.misfit += sigmas * sigmas / (1 + sigmas * sigmas / 4);
@@ -127,7 +122,7 @@ MotionCheck::Tally MotionCheck::tally(DepthView depth_mm,
 
 MotionEvidence MotionCheck::compare(DepthView depth_mm) const {
   MotionEvidence evidence;
-  for (const float widening : kWidening)
+  for (const float widening : options_.widening)
     evidence.now_from_then = improved(depth_mm, evidence.now_from_then, widening);
   const Tally still = tally(depth_mm, {}), moved = tally(depth_mm, evidence.now_from_then);
   const auto all = static_cast<double>(std::max<std::size_t>(1, landmarks_.size()));

@@ -8,12 +8,14 @@
 // millisecond of CPU per picture. Metres, radians. Thread-safe (immutable).
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "roomcast/alignment/bundle/calibration_bundle.h"
-#include "roomcast/alignment/view/lens.h"
+#include "roomcast/alignment/view/depth_surface.h"
 
 namespace roomcast::alignment {
 
@@ -29,10 +31,37 @@ struct MotionEvidence {
   double gone = 0;  // share of all points with readings: seen through if the sensor has not moved
 };
 
+/// Chosen on recordings and simulated rooms of docs/benchmarks/live-alignment.md, unless noted.
+struct MotionCheckOptions {
+  DepthSurfaceOptions surface;
+  std::size_t max_landmarks = 3000;  // surface points of the bundle; for time
+  float fit_sigmas = 3;              // largest misfit of a point that fits
+  float hidden_m = 0.05F;            // nearer by more than a fit: occluded
+  float gone_m = 0.10F;              // farther by more than a fit: the surface is gone
+  double max_independent = 1500;     // readings: errors of neighbours are correlated
+  double lever_m = 2.5;              // at which rotation and shift have equal weight; by hand
+  double observable_m = 0.007;       // a direction known less exactly counts as no motion
+  std::array<float, 7> widening = {8, 6, 4, 2, 1, 1, 1};  // the kernel's width in each step, sigmas
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("surface", surface);
+    visit("max_landmarks", max_landmarks, Range{10, 1e6});
+    visit("fit_sigmas", fit_sigmas, Range{0.1, 100});
+    visit("hidden_m", hidden_m, Range{0, 10});
+    visit("gone_m", gone_m, Range{0, 10});
+    visit("max_independent", max_independent, Range{1, 1e7});
+    visit("lever_m", lever_m, Range{0.01, 100});
+    visit("observable_m", observable_m, Range{1e-5, 10});
+    visit("widening", widening, Range{0.1, 1000});
+  }
+  [[nodiscard]] Status check() const { return check_fields("MotionCheckOptions", *this); }
+};
+
 class MotionCheck {
  public:
   /// `bundle` has passed check().
-  explicit MotionCheck(const CalibrationBundle& bundle);
+  explicit MotionCheck(const CalibrationBundle& bundle, const MotionCheckOptions& options = {});
 
   /// `depth_mm` has the size of the bundle's.
   [[nodiscard]] MotionEvidence compare(DepthView depth_mm) const;
@@ -54,6 +83,7 @@ class MotionCheck {
                                         float widening) const;
   [[nodiscard]] Tally tally(DepthView depth_mm, const RigidTransform& now_from_then) const;
 
+  MotionCheckOptions options_;
   Lens lens_;
   Image<Eigen::Vector2f> rays_;
   std::vector<Landmark> landmarks_;

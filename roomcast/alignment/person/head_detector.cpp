@@ -8,28 +8,12 @@
 #include <Eigen/Geometry>
 
 #include "roomcast/alignment/rig/world_frame.h"
-#include "roomcast/alignment/view/depth_noise.h"
-#include "roomcast/alignment/view/depth_surface.h"
-#include "roomcast/alignment/view/floor.h"
 
 namespace roomcast::alignment {
 namespace {
 
-constexpr int kPixelStep = 2;
-constexpr float kBefore_m = 0.08F, kBeforeSigmas = 4;  // nearer than the background by more
-constexpr float kMinHeight_m = 0.4F;                   // lower blobs are furniture that was moved
-constexpr float kCell_m = 0.08F, kReach_m = 8;         // of the plan, to each side of the sensor
-constexpr int kCells = static_cast<int>(2 * kReach_m / kCell_m);
-constexpr float kCellArea_m2 = 0.002F;   // visible surface in a cell that counts
-constexpr float kPersonArea_m2 = 0.12F;  // visible surface of a person, at least
-constexpr float kHeadLength_m = 0.20F;   // below the top
-constexpr float kCrown_m = 0.05F;        // below the top: where heads differ least
-constexpr float kHeadRadius_m = 0.16F;   // about its middle
-constexpr float kTopShare = 0.01F;       // of the points, allowed above the top: flying pixels
-
-bool is_at_border(DepthView picture, int x, int y) {
-  constexpr int kBorder = 8;  // depth cameras have few readings there
-  return x < kBorder || y < kBorder || x >= picture.width - kBorder;
+bool is_at_border(DepthView picture, int border, int x, int y) {
+  return x < border || y < border || x >= picture.width - border;
 }
 
 /// The surface points of one person, in the level frame.
@@ -40,19 +24,19 @@ struct Body {
   float highest_cut_m = 0;  // of the points at the picture's border
 };
 
-float top_of(const Body& body) {
+float top_of(const Body& body, float above_share) {
   std::vector<float> heights;
   heights.reserve(body.points_m.size());
   for (const auto& point : body.points_m) heights.push_back(point.y());
   const auto at = heights.begin() + static_cast<std::ptrdiff_t>(
-                                        (1 - kTopShare) * static_cast<float>(heights.size() - 1));
+                                        (1 - above_share) * static_cast<float>(heights.size() - 1));
   std::nth_element(heights.begin(), at, heights.end());
   return *at;
 }
 
 /// The mean of the points between these heights and near `about` in plan.
 std::optional<Eigen::Vector3f> middle_of(const Body& body, float low_m, float high_m,
-                                         const Eigen::Vector3f* about) {
+                                         float radius_m, const Eigen::Vector3f* about) {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   float weight = 0;
   for (std::size_t i = 0; i < body.points_m.size(); ++i) {
@@ -60,7 +44,7 @@ std::optional<Eigen::Vector3f> middle_of(const Body& body, float low_m, float hi
     if (point.y() < low_m || point.y() > high_m) continue;
     if (about != nullptr) {
       const Eigen::Vector3f apart = point - *about;
-      if (std::hypot(apart.x(), apart.z()) > kHeadRadius_m) continue;
+      if (std::hypot(apart.x(), apart.z()) > radius_m) continue;
     }
     sum += body.areas_m2[i] * point;
     weight += body.areas_m2[i];
@@ -69,21 +53,25 @@ std::optional<Eigen::Vector3f> middle_of(const Body& body, float low_m, float hi
   return sum / weight;
 }
 
-std::optional<Eigen::Vector3f> head_of(const Body& body) {
-  const float top_m = top_of(body);
-  if (top_m < kMinHead_m || top_m > kMaxHead_m) return std::nullopt;
-  if (body.highest_cut_m > top_m - kHeadLength_m) return std::nullopt;  // cut off at the border
-  const float chin_m = top_m - kHeadLength_m, above_m = top_m + 0.03F;
-  auto head = middle_of(body, top_m - 0.5F * kHeadLength_m, above_m, nullptr);
-  for (int step = 0; head && step < 3; ++step) head = middle_of(body, chin_m, above_m, &*head);
-  return head ? middle_of(body, top_m - kCrown_m, above_m, &*head) : std::nullopt;
+std::optional<Eigen::Vector3f> head_of(const Body& body, const HeadDetectorOptions& options) {
+  const float top_m = top_of(body, options.above_share);
+  if (top_m < options.min_head_m || top_m > options.max_head_m) return std::nullopt;
+  const float length_m = options.head_length_m, radius_m = options.head_radius_m;
+  if (body.highest_cut_m > top_m - length_m) return std::nullopt;  // cut off at the border
+  const float chin_m = top_m - length_m, above_m = top_m + options.above_top_m;
+  auto head = middle_of(body, top_m - 0.5F * length_m, above_m, radius_m, nullptr);
+  for (int step = 0; head && step < 3; ++step)
+    head = middle_of(body, chin_m, above_m, radius_m, &*head);
+  return head ? middle_of(body, top_m - options.crown_m, above_m, radius_m, &*head) : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Plane> floor_of(const CalibrationBundle& bundle) {
-  const auto surface = depth_surface(bundle.depth_mm, bundle.calibration.depth);
-  return find_floor(find_planes(surface.samples), surface.samples, bundle.up);
+std::optional<Plane> floor_of(const CalibrationBundle& bundle,
+                              const DepthSurfaceOptions& surface_options,
+                              const PlaneOptions& planes, const FloorOptions& floor) {
+  const auto surface = depth_surface(bundle.depth_mm, bundle.calibration.depth, surface_options);
+  return find_floor(find_planes(surface.samples, planes), surface.samples, bundle.up, floor);
 }
 
 RigidTransform level_from_depth(const Plane& floor) {
@@ -99,6 +87,8 @@ struct HeadDetector::Plan {
     bool at_border;
   };
 
+  HeadDetectorOptions options;
+  int cells = 0;  // of the plan, along each side
   DepthImage room_mm;
   Image<Eigen::Vector2f> rays;
   RigidTransform level_from_depth;
@@ -115,21 +105,24 @@ struct HeadDetector::Plan {
 
 void HeadDetector::Plan::take_readings(DepthView depth_mm) {
   readings.clear();
+  const HeadDetectorOptions limits = options;  // the loop writes memory that could be theirs
   const Eigen::Matrix3f rotation = level_from_depth.rotation.cast<float>();
   const Eigen::Vector3f shift = level_from_depth.translation_m.cast<float>();
-  for (int y = 0; y < depth_mm.height; y += kPixelStep) {
-    for (int x = 0; x < depth_mm.width; x += kPixelStep) {
+  for (int y = 0; y < depth_mm.height; y += limits.pixel_step) {
+    for (int x = 0; x < depth_mm.width; x += limits.pixel_step) {
       const float room_m = 0.001F * static_cast<float>(room_mm.at(x, y));
       const float z_m = 0.001F * static_cast<float>(depth_mm.at(x, y));
-      if (!(z_m > kNearestSurface_m && room_m > 0)) continue;
-      if (room_m - z_m < kBefore_m + kBeforeSigmas * depth_sigma_m(room_m)) continue;
+      if (!(z_m > limits.nearest_m && room_m > 0)) continue;
+      if (room_m - z_m < limits.before_m + limits.before_sigmas * limits.noise.sigma_m(room_m))
+        continue;
       const Eigen::Vector3f level = rotation * (z_m * rays.at(x, y).homogeneous()) + shift;
-      if (!(level.y() > kMinHeight_m && level.y() < kMaxHead_m + kCell_m)) continue;
-      const int column = static_cast<int>((level.x() + kReach_m) / kCell_m);
-      const int row = static_cast<int>((level.z() + kReach_m) / kCell_m);
-      if (column < 1 || row < 1 || column >= kCells - 1 || row >= kCells - 1) continue;
-      readings.push_back(
-          {level, area_per_z2 * z_m * z_m, row * kCells + column, is_at_border(depth_mm, x, y)});
+      if (!(level.y() > limits.min_height_m && level.y() < limits.max_head_m + limits.cell_m))
+        continue;
+      const int column = static_cast<int>((level.x() + limits.reach_m) / limits.cell_m);
+      const int row = static_cast<int>((level.z() + limits.reach_m) / limits.cell_m);
+      if (column < 1 || row < 1 || column >= cells - 1 || row >= cells - 1) continue;
+      readings.push_back({level, area_per_z2 * z_m * z_m, row * cells + column,
+                          is_at_border(depth_mm, limits.border_px, x, y)});
     }
   }
 }
@@ -143,7 +136,7 @@ int HeadDetector::Plan::label_bodies() {
   int count = 0;
   for (const Reading& reading : readings) {
     const auto cell = static_cast<std::size_t>(reading.cell);
-    if (bodies[cell] < 0 && areas_m2[cell] >= kCellArea_m2) spread(reading.cell, count++);
+    if (bodies[cell] < 0 && areas_m2[cell] >= options.cell_area_m2) spread(reading.cell, count++);
   }
   return count;
 }
@@ -154,27 +147,32 @@ void HeadDetector::Plan::spread(int from, int body) {
   while (!unvisited.empty()) {
     const int cell = unvisited.back();
     unvisited.pop_back();
-    for (const int step :
-         {-kCells - 1, -kCells, -kCells + 1, -1, 1, kCells - 1, kCells, kCells + 1}) {
+    for (const int step : {-cells - 1, -cells, -cells + 1, -1, 1, cells - 1, cells, cells + 1}) {
       const auto next = static_cast<std::size_t>(cell + step);
-      const int row = (cell + step) / kCells, column = (cell + step) % kCells;
-      if (row < 1 || column < 1 || row >= kCells - 1 || column >= kCells - 1) continue;
-      if (bodies[next] >= 0 || areas_m2[next] < kCellArea_m2) continue;
+      const int row = (cell + step) / cells, column = (cell + step) % cells;
+      if (row < 1 || column < 1 || row >= cells - 1 || column >= cells - 1) continue;
+      if (bodies[next] >= 0 || areas_m2[next] < options.cell_area_m2) continue;
       bodies[next] = body;
       unvisited.push_back(cell + step);
     }
   }
 }
 
-HeadDetector::HeadDetector(const CalibrationBundle& bundle, const Plane& floor)
+HeadDetector::HeadDetector(const CalibrationBundle& bundle, const Plane& floor,
+                           const HeadDetectorOptions& options)
     : plan_(std::make_unique<Plan>()) {
   const CameraIntrinsics& camera = bundle.calibration.depth;
+  plan_->options = options;
+  plan_->cells = options.cells();
   plan_->room_mm = bundle.depth_mm;
   plan_->rays = ray_table(camera);
   plan_->level_from_depth = alignment::level_from_depth(floor);
-  plan_->area_per_z2 = static_cast<float>(kPixelStep * kPixelStep / (camera.fx * camera.fy));
-  plan_->areas_m2.resize(std::size_t{kCells} * kCells);
-  plan_->bodies.resize(std::size_t{kCells} * kCells);
+  plan_->area_per_z2 =
+      static_cast<float>(options.pixel_step * options.pixel_step / (camera.fx * camera.fy));
+  const std::size_t cells =
+      static_cast<std::size_t>(plan_->cells) * static_cast<std::size_t>(plan_->cells);
+  plan_->areas_m2.resize(cells);
+  plan_->bodies.resize(cells);
 }
 HeadDetector::~HeadDetector() = default;
 HeadDetector::HeadDetector(HeadDetector&&) noexcept = default;
@@ -192,13 +190,15 @@ std::vector<Eigen::Vector3f> HeadDetector::find(DepthView depth_mm) {
     body.area_m2 += reading.area_m2;
     if (reading.at_border) body.highest_cut_m = std::max(body.highest_cut_m, reading.level_m.y());
   }
-  std::erase_if(bodies, [](const Body& body) { return body.area_m2 < kPersonArea_m2; });
+  std::erase_if(bodies, [least_m2 = plan_->options.person_area_m2](const Body& body) {
+    return body.area_m2 < least_m2;
+  });
   std::ranges::stable_sort(bodies, std::greater(), &Body::area_m2);
   const RigidTransform depth_from_level = plan_->level_from_depth.inverse();
   std::vector<Eigen::Vector3f> heads;
   for (const Body& body : bodies) {
-    const auto head = head_of(body);
-    if (head && heads.size() < kMaxHeads)
+    const auto head = head_of(body, plan_->options);
+    if (head && heads.size() < plan_->options.max_heads)
       heads.emplace_back((depth_from_level * head->cast<double>()).cast<float>());
   }
   return heads;

@@ -2,7 +2,6 @@
 #include "roomcast/alignment/person/trajectory_match.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -13,30 +12,6 @@ namespace roomcast::alignment {
 namespace {
 
 using Eigen::Vector2d;
-
-// Times.
-constexpr double kWidestGap_s = 0.35;   // between sightings of b, to be joined by a line
-constexpr double kLongestStep_m = 0.5;  // that a person walks in such a gap
-constexpr double kMinApart_s = 1;       // the two moments of a hypothesis
-constexpr std::array<double, 6> kOtherTimes_s = {-5, -3, -1.5, 1.5, 3, 5};
-// Places.
-constexpr double kSameHeight_m = 0.12;       // heads of one person
-constexpr double kMinApart_m = 0.7;          // the two moments of a hypothesis
-constexpr double kSameDistance_m = 0.2;      // between them, seen by both
-constexpr double kMaxHeadDistance_m = 0.25;  // from a hypothesis: the sensors see different sides
-// Prior on the depth of a head: half a head, with hair, is about 98 mm deep (the mean of its length
-// and its breadth). The centre of the visible surface of a ball is 2/3 of that in front of its
-// centre, of an upright cylinder pi / 4; a head's crown is in between.
-constexpr double kInside_m = 0.0705, kInsideSigma_m = 0.012;
-constexpr double kAcrossSigma_m = 0.02, kAlongSigma_m = 0.035;
-constexpr double kIndependent_s = 0.5;   // errors of sightings closer in time are correlated
-constexpr double kShapeSigma_m = 0.012;  // heads are not spheres
-// Requirements on a result.
-constexpr int kMinMoments = 25;
-constexpr double kMinSeconds = 3;
-constexpr double kMinShare = 0.5;        // of the moments in which both saw a person
-constexpr double kMaxRivalShare = 0.75;  // of the moments that agree
-constexpr double kMaxWalkError_mm = 60;
 
 /// A time at which both saw a head of the same height.
 struct Moment {
@@ -62,9 +37,9 @@ Vector2d on_floor(const Eigen::Vector3d& point) {
 }
 
 std::optional<HeadSighting> between(const HeadSighting& before, const HeadSighting& after,
-                                    double time_s) {
+                                    double time_s, const TrajectoryMatchOptions& options) {
   const double gap_s = after.time_s - before.time_s;
-  if (gap_s > kWidestGap_s || (after.seen_m - before.seen_m).norm() > kLongestStep_m)
+  if (gap_s > options.max_gap_s || (after.seen_m - before.seen_m).norm() > options.max_step_m)
     return std::nullopt;
   const double part = gap_s > 0 ? (time_s - before.time_s) / gap_s : 0;
   HeadSighting there = before;
@@ -75,16 +50,17 @@ std::optional<HeadSighting> between(const HeadSighting& before, const HeadSighti
 }
 
 /// The heads that b saw at a time, its clock set forward by `late_s`.
-std::vector<HeadSighting> seen_at(std::span<const HeadSighting> b, double time_s, double late_s) {
+std::vector<HeadSighting> seen_at(std::span<const HeadSighting> b, double time_s, double late_s,
+                                  const TrajectoryMatchOptions& options) {
   std::vector<HeadSighting> seen;
   const double there_s = time_s - late_s;
   const auto after = std::ranges::lower_bound(b, there_s, {}, &HeadSighting::time_s);
-  for (auto late = after; late != b.end() && late->time_s - there_s < kWidestGap_s; ++late) {
+  for (auto late = after; late != b.end() && late->time_s - there_s < options.max_gap_s; ++late) {
     if (late->time_s > after->time_s) break;  // interpolate to the next picture only
     for (auto early = after; early != b.begin();) {
       --early;
-      if (there_s - early->time_s > kWidestGap_s) break;
-      if (const auto here = between(*early, *late, there_s)) {
+      if (there_s - early->time_s > options.max_gap_s) break;
+      if (const auto here = between(*early, *late, there_s, options)) {
         seen.push_back(*here);
         break;
       }
@@ -94,23 +70,26 @@ std::vector<HeadSighting> seen_at(std::span<const HeadSighting> b, double time_s
 }
 
 std::vector<Moment> common_moments(std::span<const HeadSighting> a, std::span<const HeadSighting> b,
-                                   double late_s) {
+                                   double late_s, const TrajectoryMatchOptions& options) {
   std::vector<Moment> moments;
   for (const HeadSighting& here : a) {
-    for (const HeadSighting& there : seen_at(b, here.time_s, late_s)) {
-      if (std::abs(here.seen_m.y() - there.seen_m.y()) > kSameHeight_m) continue;
-      moments.push_back({here.time_s, on_floor(here.seen_m) + kInside_m * here.away,
-                         on_floor(there.seen_m) + kInside_m * there.away, here.away, there.away});
+    for (const HeadSighting& there : seen_at(b, here.time_s, late_s, options)) {
+      if (std::abs(here.seen_m.y() - there.seen_m.y()) > options.same_height_m) continue;
+      moments.push_back({here.time_s, on_floor(here.seen_m) + options.inside_m * here.away,
+                         on_floor(there.seen_m) + options.inside_m * there.away, here.away,
+                         there.away});
     }
   }
   return moments;
 }
 
-std::optional<Motion> motion_by(const Moment& one, const Moment& other) {
+std::optional<Motion> motion_by(const Moment& one, const Moment& other,
+                                const TrajectoryMatchOptions& options) {
   const Vector2d in_a = other.a - one.a, in_b = other.b - one.b;
-  if (std::abs(other.time_s - one.time_s) < kMinApart_s || in_a.norm() < kMinApart_m)
+  if (std::abs(other.time_s - one.time_s) < options.min_apart_s ||
+      in_a.norm() < options.min_apart_m)
     return std::nullopt;
-  if (std::abs(in_a.norm() - in_b.norm()) > kSameDistance_m) return std::nullopt;
+  if (std::abs(in_a.norm() - in_b.norm()) > options.same_distance_m) return std::nullopt;
   Motion motion;
   motion.turn_rad = std::atan2(in_b.y(), in_b.x()) - std::atan2(in_a.y(), in_a.x());
   motion.shift = 0.5 * (one.a + other.a) - motion.turned(0.5 * (one.b + other.b));
@@ -118,11 +97,12 @@ std::optional<Motion> motion_by(const Moment& one, const Moment& other) {
 }
 
 /// The moments that agree with the motion; of several at one time the closest.
-std::vector<Moment> agreeing(std::span<const Moment> moments, const Motion& motion) {
+std::vector<Moment> agreeing(std::span<const Moment> moments, const Motion& motion,
+                             double max_distance_m) {
   std::vector<Moment> agree;
   const auto off = [&](const Moment& m) { return (motion(m.b) - m.a).norm(); };
   for (const Moment& moment : moments) {
-    if (off(moment) > kMaxHeadDistance_m) continue;
+    if (off(moment) > max_distance_m) continue;
     if (agree.empty() || agree.back().time_s != moment.time_s) {
       agree.push_back(moment);
     } else if (off(moment) < off(agree.back())) {
@@ -133,15 +113,15 @@ std::vector<Moment> agreeing(std::span<const Moment> moments, const Motion& moti
 }
 
 /// Hypotheses from pairs of moments, spread evenly over all of them.
-std::optional<Motion> most_agreed(std::span<const Moment> moments, std::size_t& most) {
-  constexpr std::size_t kTried = 60;
-  const std::size_t step = std::max<std::size_t>(1, moments.size() / kTried);
+std::optional<Motion> most_agreed(std::span<const Moment> moments,
+                                  const TrajectoryMatchOptions& options, std::size_t& most) {
+  const std::size_t step = std::max<std::size_t>(1, moments.size() / options.tried_moments);
   std::optional<Motion> best;
   for (std::size_t i = 0; i < moments.size(); i += step) {
     for (std::size_t j = i + step; j < moments.size(); j += step) {
-      const auto motion = motion_by(moments[i], moments[j]);
+      const auto motion = motion_by(moments[i], moments[j], options);
       if (!motion) continue;
-      const std::size_t count = agreeing(moments, *motion).size();
+      const std::size_t count = agreeing(moments, *motion, options.max_distance_m).size();
       if (count <= most) continue;
       most = count;
       best = motion;
@@ -162,17 +142,19 @@ struct Fit {
 };
 
 /// Covariance of a head's position, seen along `away`.
-Eigen::Matrix2d sighting_covariance(const Vector2d& away) {
+Eigen::Matrix2d sighting_covariance(const Vector2d& away, const TrajectoryMatchOptions& options) {
+  const double along_m = options.along_sigma_m, across_m = options.across_sigma_m;
   const Vector2d across(-away.y(), away.x());
-  return kAlongSigma_m * kAlongSigma_m * away * away.transpose() +
-         kAcrossSigma_m * kAcrossSigma_m * across * across.transpose();
+  return along_m * along_m * away * away.transpose() +
+         across_m * across_m * across * across.transpose();
 }
 
-Fit improved(std::span<const Moment> moments, const Fit& fit, double weight_of_each) {
+Fit improved(std::span<const Moment> moments, const Fit& fit, const TrajectoryMatchOptions& options,
+             double weight_of_each) {
   Matrix5 information = Matrix5::Zero();
   Vector5 gradient = Vector5::Zero();
   for (int i = 0; i < 2; ++i) {
-    const double expected = 1 / (kInsideSigma_m * kInsideSigma_m);
+    const double expected = 1 / (options.inside_sigma_m * options.inside_sigma_m);
     information(3 + i, 3 + i) += expected;
     gradient(3 + i) += expected * fit.deeper(i);
   }
@@ -186,7 +168,8 @@ Fit improved(std::span<const Moment> moments, const Fit& fit, double weight_of_e
     jacobian.col(3) = -moment.away_a;
     jacobian.col(4) = away_b;
     const Eigen::Matrix2d precise =
-        (sighting_covariance(moment.away_a) + sighting_covariance(away_b)).inverse();
+        (sighting_covariance(moment.away_a, options) + sighting_covariance(away_b, options))
+            .inverse();
     const double squared_sigmas = residual.dot(precise * residual);
     const double robust = 1 / std::pow(1 + squared_sigmas / 8, 2);  // Geman & McClure 1985
     information += weight_of_each * robust * jacobian.transpose() * precise * jacobian;
@@ -202,16 +185,15 @@ Fit improved(std::span<const Moment> moments, const Fit& fit, double weight_of_e
 }
 
 /// The total time of the agreeing moments.
-double seconds_of(std::span<const Moment> moments) {
-  constexpr double kPause_s = 0.5;
+double seconds_of(std::span<const Moment> moments, double max_pause_s) {
   double seconds = 0;
   for (std::size_t i = 1; i < moments.size(); ++i)
-    seconds += std::min(kPause_s, moments[i].time_s - moments[i - 1].time_s);
+    seconds += std::min(max_pause_s, moments[i].time_s - moments[i - 1].time_s);
   return seconds;
 }
 
 /// Expected error of the middle of the walk.
-double walk_error_m(const Fit& fit, std::span<const Moment> moments) {
+double walk_error_m(const Fit& fit, std::span<const Moment> moments, double shape_sigma_m) {
   Vector2d middle = Vector2d::Zero();
   for (const Moment& moment : moments) middle += moment.b / static_cast<double>(moments.size());
   const Vector2d turned = fit.motion.turned(middle);
@@ -219,7 +201,7 @@ double walk_error_m(const Fit& fit, std::span<const Moment> moments) {
   by.col(0) = Vector2d(turned.y(), -turned.x());
   by.block<2, 2>(0, 1).setIdentity();
   const double variance = (by * fit.covariance * by.transpose()).trace();
-  return std::sqrt(variance + 2 * kShapeSigma_m * kShapeSigma_m);
+  return std::sqrt(variance + 2 * shape_sigma_m * shape_sigma_m);
 }
 
 RigidTransform transform_of(const Motion& motion) {
@@ -250,39 +232,42 @@ HeadSighting head_sighting(const RigidTransform& level_from_depth, double time_s
 }
 
 Result<TrajectoryMatch> match_walks(std::span<const HeadSighting> a,
-                                    std::span<const HeadSighting> b) {
-  const auto moments = common_moments(a, b, 0);
+                                    std::span<const HeadSighting> b,
+                                    const TrajectoryMatchOptions& options) {
+  const auto min_moments = static_cast<std::size_t>(options.min_moments);
+  const auto moments = common_moments(a, b, 0, options);
   const std::size_t times = times_in(moments);
-  if (times < std::size_t{kMinMoments})
+  if (times < min_moments)
     return unavailable(
         "no person has walked through its view and another sensor's at the same time yet");
   std::size_t most = 0;
-  const auto motion = most_agreed(moments, most);
-  if (!motion || most < std::size_t{kMinMoments})
+  const auto motion = most_agreed(moments, options, most);
+  if (!motion || most < min_moments)
     return unavailable("the person hardly moved; walk around where both sensors see you");
-  if (static_cast<double>(most) < kMinShare * static_cast<double>(times))
+  if (static_cast<double>(most) < options.min_share * static_cast<double>(times))
     return unavailable("the sensors saw different people; let one person walk around alone");
-  for (const double late_s : kOtherTimes_s) {
+  for (const double late_s : options.other_offsets_s) {
     std::size_t rival = 0;
-    (void)most_agreed(common_moments(a, b, late_s), rival);
-    if (static_cast<double>(rival) > kMaxRivalShare * static_cast<double>(most))
+    (void)most_agreed(common_moments(a, b, late_s, options), options, rival);
+    if (static_cast<double>(rival) > options.max_rival_share * static_cast<double>(most))
       return unavailable(
           "the walk was too simple for one clear pose; walk a curve, stop, and turn");
   }
   Fit fit{*motion};
   std::vector<Moment> agree;
-  for (int step = 0; step < 8; ++step) {
-    agree = agreeing(moments, fit.motion);
-    if (agree.size() < std::size_t{kMinMoments})
-      return unavailable("the trajectories do not match; walk again");
-    const double independent = seconds_of(agree) / kIndependent_s;
-    fit = improved(agree, fit, std::min(1.0, independent / static_cast<double>(agree.size())));
+  for (int step = 0; step < options.refinements; ++step) {
+    agree = agreeing(moments, fit.motion, options.max_distance_m);
+    if (agree.size() < min_moments) return unavailable("the trajectories do not match; walk again");
+    const double independent = seconds_of(agree, options.max_pause_s) / options.independent_s;
+    fit = improved(agree, fit, options,
+                   std::min(1.0, independent / static_cast<double>(agree.size())));
   }
-  TrajectoryMatch match{transform_of(fit.motion), 1000 * walk_error_m(fit, agree),
-                        seconds_of(agree), static_cast<int>(agree.size())};
-  if (match.seconds < kMinSeconds)
+  TrajectoryMatch match{transform_of(fit.motion),
+                        1000 * walk_error_m(fit, agree, options.shape_sigma_m),
+                        seconds_of(agree, options.max_pause_s), static_cast<int>(agree.size())};
+  if (match.seconds < options.min_seconds)
     return unavailable("the person was seen too briefly; walk around for 20 s");
-  if (match.expected_error_mm > kMaxWalkError_mm)
+  if (match.expected_error_mm > options.max_error_mm)
     return unavailable("the walk was too short; walk around more widely");
   return match;
 }
