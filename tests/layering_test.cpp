@@ -159,7 +159,7 @@ const std::vector<Layer> kLayers = {
     {"alignment/feature",
      "alignment/bundle alignment/view core"},
     {"alignment/pair",
-     "alignment/feature alignment/view geometry"},
+     "alignment/feature alignment/view core geometry"},
     {"alignment/board",
      "alignment/pair core geometry",
      "alignment/feature"},
@@ -178,6 +178,9 @@ const std::vector<Layer> kLayers = {
      "alignment/feature"},
     {"alignment/prior",
      "alignment/feature alignment/pair alignment/rig core"},
+    {"alignment",
+     "alignment/bundle alignment/feature alignment/homography alignment/motion alignment/person alignment/prior "
+     "alignment/rig core"},
     {"alignment/service",
      "alignment/board alignment/bundle alignment/pair alignment/person alignment/prior "
      "alignment/rig alignment/view client client/room codec core geometry io wire",

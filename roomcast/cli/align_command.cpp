@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "roomcast/alignment/alignment_options.h"
 #include "roomcast/alignment/homography/homography_pose.h"
 #include "roomcast/alignment/rig/rig_aligner.h"
 #include "roomcast/cli/alignment_text.h"
@@ -26,14 +27,16 @@ struct AlignOptions {
   std::string recording;
   std::string method = "auto";
   std::string pairs;
-  bool json = false, write = false;
+  bool json = false, verbose = false, write = false;
+  alignment::AlignmentOptions stages;
 };
 
 alignment::AlignmentReport align_views(const std::vector<SharedView>& views,
-                                       const std::string& method,
+                                       const AlignOptions& options,
                                        const alignment::AlignProgress& progress) {
-  if (method == "homography") return alignment::align_by_homography(views);
-  alignment::RigAligner aligner;
+  if (options.method == "homography")
+    return alignment::align_by_homography(views, options.stages.homography);
+  alignment::RigAligner aligner(options.stages.rig);
   for (const SharedView& view : views) aligner.add(view);
   return aligner.solve(progress);
 }
@@ -46,26 +49,26 @@ alignment::SensorReport unusable_sensor(const std::string& name, const Error& er
 }
 
 Result<alignment::AlignmentReport> align_rig(const AlignOptions& options, StatusLine& line) {
-  const auto bundles =
-      read_rig_bundles(options.recording, [&](const std::string& what) { line.show(what); });
+  const auto bundles = read_rig_bundles(
+      options.recording, [&](const std::string& what) { line.show(what); }, options.stages.bundle);
   if (!bundles) return bundles.error();
   std::vector<SharedView> views;
   std::vector<alignment::SensorReport> unusable;
   for (const RecordedBundle& recorded : *bundles) {
     line.show("finding features of " + recorded.name);
-    auto view = view_of(recorded);
+    auto view = view_of(recorded, options.stages.view);
     view ? views.push_back(*view)
          : unusable.push_back(unusable_sensor(recorded.name, view.error()));
   }
   alignment::AlignmentReport report =
-      align_views(views, options.method, [&](std::string_view step, double done) {
+      align_views(views, options, [&](std::string_view step, double done) {
         line.show(fmt::format("{:3.0f} %  {}", 100 * done, step));
       });
   report.sensors.insert(report.sensors.end(), unusable.begin(), unusable.end());
   return report;
 }
 
-alignment::PairReport align_pair(const ListedPair& pair, const std::string& method,
+alignment::PairReport align_pair(const ListedPair& pair, const AlignOptions& options,
                                  FrameViews& frames) {
   alignment::PairReport refused;
   refused.a = pair.a;
@@ -81,20 +84,20 @@ alignment::PairReport align_pair(const ListedPair& pair, const std::string& meth
     }
     views.push_back(*view);
   }
-  return align_views(views, method, {}).pairs.at(0);
+  return align_views(views, options, {}).pairs.at(0);
 }
 
 Result<alignment::AlignmentReport> align_pairs(const AlignOptions& options, StatusLine& line) {
   const auto pairs = read_pair_list(options.pairs);
   if (!pairs) return pairs.error();
-  auto frames = FrameViews::read(options.recording, *pairs,
-                                 [&](const std::string& what) { line.show(what); });
+  auto frames = FrameViews::read(
+      options.recording, *pairs, [&](const std::string& what) { line.show(what); }, options.stages);
   if (!frames) return frames.error();
   alignment::AlignmentReport report;
   for (const ListedPair& pair : *pairs) {
     line.show(fmt::format("pair {} of {}: {} and {}", report.pairs.size() + 1, pairs->size(),
                           pair.a, pair.b));
-    report.pairs.push_back(align_pair(pair, options.method, *frames));
+    report.pairs.push_back(align_pair(pair, options, *frames));
   }
   return report;
 }
@@ -115,6 +118,11 @@ Status check_recording(const AlignOptions& options) {
   return {};
 }
 
+std::string text_of(const alignment::AlignmentReport& report, const AlignOptions& options) {
+  if (!options.json) return alignment_table(report);
+  return options.verbose ? alignment_json(report, options.stages) : alignment_json(report);
+}
+
 Status run_align(const AlignOptions& options) {
   if (Status status = check_recording(options); !status) return status;
   StatusLine line;
@@ -123,7 +131,7 @@ Status run_align(const AlignOptions& options) {
   if (options.write) {
     if (Status written = write_rig_poses(options.recording, *report); !written) return written;
   }
-  fmt::print("{}", options.json ? alignment_json(*report) : alignment_table(*report));
+  fmt::print("{}", text_of(*report, options));
   return {};
 }
 
@@ -145,7 +153,11 @@ void add_align_command(CLI::App& app, Command& chosen) {
       ->add_flag("--write", options->write,
                  "Write the poses into the rig's rig.json; null for refused sensors")
       ->excludes("--pairs");
-  command->add_flag("--json", options->json, "Print JSON");
+  CLI::Option* json = command->add_flag("--json", options->json, "Print JSON");
+  command
+      ->add_flag("--verbose", options->verbose,
+                 "With --json: add the numbers of every stage, as options")
+      ->needs(json);
   command->footer("Example:\n  roomcast align recordings/lab --json");
   command->callback(
       [options, &chosen] { chosen = [options] { return finish("align", run_align(*options)); }; });

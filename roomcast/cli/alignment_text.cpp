@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/cli/alignment_text.h"
 
+#include <charconv>
+#include <string_view>
+#include <type_traits>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -45,6 +49,43 @@ nlohmann::json json_of(const alignment::PairReport& pair) {
           {"reason", pair.reason}};
 }
 
+nlohmann::json json_of(const alignment::AlignmentReport& report) {
+  nlohmann::json json = {{"sensors", nlohmann::json::array()}, {"pairs", nlohmann::json::array()}};
+  for (const auto& sensor : report.sensors) json["sensors"].push_back(json_of(sensor));
+  for (const auto& pair : report.pairs) json["pairs"].push_back(json_of(pair));
+  return json;
+}
+
+/// The number whose decimal form is the float's shortest: 0.1, not 0.10000000149.
+double decimal(float number) {
+  const std::string text = fmt::format("{}", number);
+  double shortest = 0;
+  std::from_chars(text.data(), text.data() + text.size(), shortest);
+  return shortest;
+}
+
+/// A number, a duration's count, an array of numbers, or a struct that lists its fields.
+template <class Value>
+nlohmann::json json_of_option(const Value& value) {
+  if constexpr (std::is_same_v<Value, float>) {
+    return decimal(value);
+  } else if constexpr (std::is_arithmetic_v<Value>) {
+    return value;
+  } else if constexpr (requires { value.count(); }) {
+    return value.count();
+  } else if constexpr (requires { value.size(); }) {
+    nlohmann::json numbers = nlohmann::json::array();
+    for (const auto number : value) numbers.push_back(json_of_option(number));
+    return numbers;
+  } else {
+    nlohmann::json fields;
+    value.for_each_field([&](std::string_view name, const auto& field, auto...) {
+      fields[std::string(name)] = json_of_option(field);
+    });
+    return fields;
+  }
+}
+
 std::string place_text(const alignment::SensorReport& sensor) {
   if (!sensor.placed) return "apart";
   const Eigen::Vector3d& at = sensor.world_from_depth->translation_m;
@@ -64,9 +105,13 @@ std::string shared_text(double overlap, int inliers, const std::string& residual
 }  // namespace
 
 std::string alignment_json(const alignment::AlignmentReport& report) {
-  nlohmann::json json = {{"sensors", nlohmann::json::array()}, {"pairs", nlohmann::json::array()}};
-  for (const auto& sensor : report.sensors) json["sensors"].push_back(json_of(sensor));
-  for (const auto& pair : report.pairs) json["pairs"].push_back(json_of(pair));
+  return json_of(report).dump(1) + "\n";
+}
+
+std::string alignment_json(const alignment::AlignmentReport& report,
+                           const alignment::AlignmentOptions& options) {
+  nlohmann::json json = json_of(report);
+  json["options"] = json_of_option(options);
   return json.dump(1) + "\n";
 }
 

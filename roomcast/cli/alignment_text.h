@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "roomcast/alignment/alignment_options.h"
 #include "roomcast/alignment/rig/alignment_report.h"
 
 namespace roomcast::cli {
@@ -15,6 +16,10 @@ namespace roomcast::cli {
 ///   "expected_error_mm", "conflict", "correlation", "margin", "reason"}]}; transforms row-major;
 /// values that need a pose are null where there is none.
 [[nodiscard]] std::string alignment_json(const alignment::AlignmentReport& report);
+
+/// The same with "options": stage -> field -> value, as alignment_options.h names them.
+[[nodiscard]] std::string alignment_json(const alignment::AlignmentReport& report,
+                                         const alignment::AlignmentOptions& options);
 
 [[nodiscard]] std::string alignment_table(const alignment::AlignmentReport& report);
 

@@ -62,6 +62,25 @@ TEST(AlignmentText, json_has_all_known_values_and_null_for_unknown_ones) {
   EXPECT_TRUE(json["pairs"][1]["expected_error_mm"].is_null());
 }
 
+TEST(AlignmentText, scripts_get_the_numbers_of_every_stage_on_request) {
+  EXPECT_FALSE(nlohmann::json::parse(alignment_json(report())).contains("options"));
+  const alignment::AlignmentOptions options;
+  auto json = nlohmann::json::parse(alignment_json(report(), options));
+  const nlohmann::json printed = json["options"];
+  options.for_each_field([&](std::string_view stage, const auto& of_stage) {
+    of_stage.for_each_field([&](std::string_view field, const auto&, auto...) {
+      EXPECT_TRUE(printed[std::string(stage)].contains(std::string(field)))
+          << stage << "." << field;
+    });
+  });
+  EXPECT_EQ(printed["view"]["surface"]["noise"]["per_square_metre_m"], 0.0015);
+  EXPECT_EQ(printed["rig"]["pair"]["coarse_voting"]["max_matches"], 4000);
+  EXPECT_EQ(printed["trajectories"]["other_offsets_s"].size(), 6U);
+  EXPECT_EQ(printed["pose_change"]["check_interval_ms"], 400);
+  json.erase("options");
+  EXPECT_EQ(json, nlohmann::json::parse(alignment_json(report())));
+}
+
 TEST(AlignmentText, the_table_has_no_figures_for_refused_pairs) {
   const std::string table = alignment_table(report());
   EXPECT_NE(table.find("3.2 mm"), std::string::npos) << table;

@@ -4,7 +4,6 @@
 #include <memory>
 #include <utility>
 
-#include "roomcast/alignment/bundle/bundle_capture.h"
 #include "roomcast/recording/dataset/recording.h"
 #include "roomcast/sensor/source_factory.h"
 
@@ -18,11 +17,12 @@ Result<std::unique_ptr<source::FrameSource>> open_recording(const std::string& s
   return sensor::open_source(spec, options);
 }
 
-Result<RecordedBundle> read_sensor(const std::string& spec) {
+Result<RecordedBundle> read_sensor(const std::string& spec,
+                                   const alignment::BundleCaptureOptions& options) {
   auto source = open_recording(spec);
   if (!source) return source.error();
   const source::SensorDescription& sensor = (*source)->description();
-  alignment::BundleCapture capture(sensor.name, sensor.calibration);
+  alignment::BundleCapture capture(sensor.name, sensor.calibration, options);
   source::CapturedFrame frame;
   for (bool enough = false; !enough;) {
     const auto more = (*source)->next(frame, {});
@@ -36,9 +36,10 @@ Result<RecordedBundle> read_sensor(const std::string& spec) {
 }
 
 RecordedBundle bundle_of_frame(const source::SensorDescription& sensor,
-                               const source::CapturedFrame& frame) {
+                               const source::CapturedFrame& frame,
+                               const alignment::BundleCaptureOptions& options) {
   const std::string name = std::to_string(frame.index);
-  alignment::BundleCapture capture(name, sensor.calibration);
+  alignment::BundleCapture capture(name, sensor.calibration, options);
   const auto added = capture.add(frame.depth_mm, frame.color);
   if (!added) return {name, added.error()};
   return {name, capture.finish()};
@@ -46,14 +47,15 @@ RecordedBundle bundle_of_frame(const source::SensorDescription& sensor,
 
 }  // namespace
 
-Result<std::vector<RecordedBundle>> read_rig_bundles(const std::filesystem::path& directory,
-                                                     const ReadProgress& progress) {
+Result<std::vector<RecordedBundle>> read_rig_bundles(
+    const std::filesystem::path& directory, const ReadProgress& progress,
+    const alignment::BundleCaptureOptions& options) {
   const auto names = recording::rig_sensor_names(directory.string());
   if (!names) return names.error();
   std::vector<RecordedBundle> bundles;
   for (const std::string& name : *names) {
     progress("reading " + name);
-    auto bundle = read_sensor("rig:" + directory.string() + "#" + name);
+    auto bundle = read_sensor("rig:" + directory.string() + "#" + name, options);
     if (!bundle) return bundle.error();
     bundles.push_back(std::move(*bundle));
   }
@@ -62,7 +64,7 @@ Result<std::vector<RecordedBundle>> read_rig_bundles(const std::filesystem::path
 
 Result<std::map<std::uint64_t, RecordedBundle>> read_frame_bundles(
     const std::filesystem::path& directory, const std::set<std::uint64_t>& frames,
-    const ReadProgress& progress) {
+    const ReadProgress& progress, const alignment::BundleCaptureOptions& options) {
   auto source = open_recording("tum:" + directory.string());
   if (!source) return source.error();
   std::map<std::uint64_t, RecordedBundle> bundles;
@@ -73,7 +75,7 @@ Result<std::map<std::uint64_t, RecordedBundle>> read_frame_bundles(
     if (!*more || bundles.size() == frames.size()) break;
     if (frames.count(frame.index) == 0) continue;
     progress("reading frame " + std::to_string(frame.index));
-    bundles.emplace(frame.index, bundle_of_frame((*source)->description(), frame));
+    bundles.emplace(frame.index, bundle_of_frame((*source)->description(), frame, options));
   }
   for (const std::uint64_t wanted : frames) {
     if (bundles.count(wanted) != 0) continue;

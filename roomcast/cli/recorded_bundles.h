@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "roomcast/alignment/bundle/calibration_bundle.h"
+#include "roomcast/alignment/bundle/bundle_capture.h"
 #include "roomcast/core/result.h"
 
 namespace roomcast::cli {
@@ -27,12 +27,13 @@ using ReadProgress = std::function<void(const std::string& what)>;
 /// One bundle for each sensor of the rig, in the rig's order, from the sensor's first second.
 /// Errors of the recording's files.
 [[nodiscard]] Result<std::vector<RecordedBundle>> read_rig_bundles(
-    const std::filesystem::path& directory, const ReadProgress& progress);
+    const std::filesystem::path& directory, const ReadProgress& progress,
+    const alignment::BundleCaptureOptions& options = {});
 
 /// Bundles of the frames with these numbers, by number. kNotFound, naming the frame: it does not
 /// exist. Errors of the recording's files.
 [[nodiscard]] Result<std::map<std::uint64_t, RecordedBundle>> read_frame_bundles(
     const std::filesystem::path& directory, const std::set<std::uint64_t>& frames,
-    const ReadProgress& progress);
+    const ReadProgress& progress, const alignment::BundleCaptureOptions& options = {});
 
 }  // namespace roomcast::cli

@@ -19,16 +19,18 @@ Result<std::uint64_t> frame_number(const std::string& name) {
 
 }  // namespace
 
-Result<SharedView> view_of(const RecordedBundle& recorded) {
+Result<SharedView> view_of(const RecordedBundle& recorded,
+                           const alignment::SensorViewOptions& options) {
   if (!recorded.bundle) return recorded.bundle.error();
-  auto view = alignment::make_sensor_view(*recorded.bundle);
+  auto view = alignment::make_sensor_view(*recorded.bundle, options);
   if (!view) return view.error();
   return SharedView(std::make_shared<const alignment::SensorView>(std::move(*view)));
 }
 
 Result<FrameViews> FrameViews::read(const std::filesystem::path& directory,
                                     const std::vector<ListedPair>& pairs,
-                                    const ReadProgress& progress) {
+                                    const ReadProgress& progress,
+                                    const alignment::AlignmentOptions& options) {
   std::set<std::uint64_t> frames;
   for (const ListedPair& pair : pairs) {
     for (const std::string& name : {pair.a, pair.b}) {
@@ -37,18 +39,20 @@ Result<FrameViews> FrameViews::read(const std::filesystem::path& directory,
       frames.insert(*number);
     }
   }
-  auto bundles = read_frame_bundles(directory, frames, progress);
+  auto bundles = read_frame_bundles(directory, frames, progress, options.bundle);
   if (!bundles) return bundles.error();
-  return FrameViews(std::move(*bundles));
+  return FrameViews(std::move(*bundles), options.view);
 }
 
-FrameViews::FrameViews(std::map<std::uint64_t, RecordedBundle> bundles)
-    : bundles_(std::move(bundles)) {}
+FrameViews::FrameViews(std::map<std::uint64_t, RecordedBundle> bundles,
+                       const alignment::SensorViewOptions& options)
+    : options_(options), bundles_(std::move(bundles)) {}
 
 const Result<SharedView>& FrameViews::at(const std::string& name) {
   const std::uint64_t frame = *frame_number(name);
   auto found = views_.find(frame);
-  if (found == views_.end()) found = views_.emplace(frame, view_of(bundles_.at(frame))).first;
+  if (found == views_.end())
+    found = views_.emplace(frame, view_of(bundles_.at(frame), options_)).first;
   return found->second;
 }
 

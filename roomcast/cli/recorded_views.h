@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "roomcast/alignment/feature/sensor_view.h"
+#include "roomcast/alignment/alignment_options.h"
 #include "roomcast/cli/pair_list.h"
 #include "roomcast/cli/recorded_bundles.h"
 
@@ -19,22 +19,25 @@ namespace roomcast::cli {
 using SharedView = std::shared_ptr<const alignment::SensorView>;
 
 /// Errors of the bundle and of alignment::make_sensor_view.
-[[nodiscard]] Result<SharedView> view_of(const RecordedBundle& recorded);
+[[nodiscard]] Result<SharedView> view_of(const RecordedBundle& recorded,
+                                         const alignment::SensorViewOptions& options = {});
 
 /// The views of all frames of a TUM recording that occur in a pair, each made once.
 class FrameViews {
  public:
   /// kInvalidArgument: a name is not a frame number. Errors of read_frame_bundles.
   static Result<FrameViews> read(const std::filesystem::path& directory,
-                                 const std::vector<ListedPair>& pairs,
-                                 const ReadProgress& progress);
+                                 const std::vector<ListedPair>& pairs, const ReadProgress& progress,
+                                 const alignment::AlignmentOptions& options = {});
 
   /// `name` must occur in one of the pairs.
   const Result<SharedView>& at(const std::string& name);
 
  private:
-  explicit FrameViews(std::map<std::uint64_t, RecordedBundle> bundles);
+  FrameViews(std::map<std::uint64_t, RecordedBundle> bundles,
+             const alignment::SensorViewOptions& options);
 
+  alignment::SensorViewOptions options_;
   std::map<std::uint64_t, RecordedBundle> bundles_;
   std::map<std::uint64_t, Result<SharedView>> views_;
 };

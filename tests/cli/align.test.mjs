@@ -53,6 +53,26 @@ test('sensors_with_black_pictures_are_refused_each_with_a_reason', async (t) => 
   assert.doesNotMatch(text.stdout, /0\.0 mm|nan/);
 });
 
+test('verbose_json_adds_the_numbers_of_every_stage_and_changes_nothing_else', async (t) => {
+  const rig = writeBlackRig(t);
+  const brief = await run('align', rig, '--json');
+  const verbose = await run('align', rig, '--json', '--verbose');
+  assert.equal(verbose.code, 0, verbose.stderr);
+  const { options, ...report } = JSON.parse(verbose.stdout);
+  assert.deepEqual(report, JSON.parse(brief.stdout));
+  const stages = ['bundle', 'view', 'rig', 'homography', 'nudge', 'stored_pose', 'refined_placement', 'heads', 'trajectories'];
+  assert.deepEqual(Object.keys(options).sort(), [...stages, 'pose_change'].sort());
+  assert.equal(options.rig.pair.free_space.points, 1500);
+  assert.equal(options.view.planes.thickness_m, 0.025);
+  for (const stage of Object.values(options)) assert.ok(Object.keys(stage).length > 2);
+});
+
+test('verbose_is_refused_without_json', async (t) => {
+  const result = await run('align', writeBlackRig(t), '--verbose');
+  assert.notEqual(result.code, 0);
+  assert.match(result.stderr, /--json/);
+});
+
 test('invalid_intrinsics_are_refused_with_a_sentence', async (t) => {
   const rig = writeBlackRig(t);
   for (const lens of ['NaN', 'null', '1e999', '-60']) {
