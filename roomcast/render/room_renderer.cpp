@@ -44,8 +44,8 @@ static_assert(kMaxRenderedSensors == 64, "the sentence above says so");
 
 void RoomRenderer::set_unplaced(SensorId id, bool unplaced) {
   const auto known = sensors_.find(id);
-  if (known == sensors_.end() || std::exchange(known->second.is_unplaced, unplaced) == unplaced)
-    return;
+  if (known == sensors_.end()) return;
+  if (std::exchange(known->second.is_unplaced, unplaced) == unplaced) return;
   for (auto& [other, sensor] : sensors_) sensor.model_is_fresh = false;
 }
 

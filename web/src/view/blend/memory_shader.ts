@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sensor's model of its static background: the same rules as roomcast/render/shaders/blend (remember_background,
+// A sensor's model of its static background: the same rules as roomcast/render/shaders/blend (update_background,
 // background_depth, carve). `uReadings`: metres and readings of the background, metres and readings of a candidate
 // behind it. Grid textures contain every uStep-th pixel.
 
