@@ -28,7 +28,9 @@ std::shared_ptr<client::RoomSnapshot> desktop_room(std::uint64_t revision, std::
   room->start_pose = RigidTransform{Eigen::Matrix3d::Identity(), {1, 1.7, 4}};
   client::RoomSensor& sensor = room->sensors.emplace_back();
   sensor.id = SensorId{1};
-  sensor.online = sensor.placed = true;
+  sensor.online = true;
+  sensor.pose.source = PoseSource::kGiven;
+  sensor.pose.state = PoseState::kValid;
   sensor.picture = std::move(picture);
   return room;
 }
