@@ -201,7 +201,7 @@ TEST_F(EncryptedClientTest, exchanges_messages_with_a_server_of_the_given_finger
 TEST_F(EncryptedClientTest, refuses_a_server_with_another_certificate) {
   HubUrl url = pinned_url();
   url.pinned = self_signed().fingerprint();
-  expect_error(outcome_of(url), ErrorCode::kUnsupported, "another certificate");
+  expect_error(outcome_of(url), ErrorCode::kUnsupported, "another fingerprint");
   EXPECT_EQ(served_, nullptr);
 }
 

@@ -31,8 +31,8 @@ test('devices_prints_a_readable_list', async () => {
 
 const hub = ['--hub', 'ws://127.0.0.1:1'];
 const refusals = {
-  delay_without_a_beat: [['--trigger-delay-us', '160'], 2, /primary/],
-  exposure_of_a_recording_of_a_camera_that_is_not_there: [['--lock-exposure'], 1, /plugged in|built without|USB/],
+  delay_without_the_secondary_role: [['--trigger-delay-us', '160'], 2, /secondary/],
+  exposure_of_a_recording_of_a_camera_that_is_not_there: [['--lock-exposure'], 1, /was found|built without|USB/],
 };
 for (const [name, [options, expected, sentence]] of Object.entries(refusals)) {
   test(`sensor_refuses: ${name}`, async () => {

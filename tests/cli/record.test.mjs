@@ -193,8 +193,8 @@ test('a_recording_plays_on_a_hub_of_its_own', async (t) => {
 test('other_files_are_refused_with_a_reason', async (t) => {
   const file = join(scratchFolder(t), 'other.mcap');
   writeFileSync(file, readFileSync(recording).subarray(100));
-  assertFailed(await run('info', file), 1, /no MCAP file/);
-  assertFailed(await run('play', file), 1, /no MCAP file/);
+  assertFailed(await run('info', file), 1, /not an MCAP file/);
+  assertFailed(await run('play', file), 1, /not an MCAP file/);
   assertFailed(await run('play', join(rig, 'nothing')), 1, /cannot open/);
   assertFailed(await run('record', recording, '--hub', 'ws://127.0.0.1:1'), 1, /127\.0\.0\.1/);
 });

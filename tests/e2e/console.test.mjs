@@ -228,7 +228,7 @@ describe('the console', () => {
       await panelSays(visitor, /live/); // admitted by the token received in exchange for the code
       await visitor.close();
       const late = await openPage(browser.context, link);
-      await panelSays(late, /it has been used/);
+      await panelSays(late, /one-time link has been used/);
       await late.close();
     });
 

@@ -150,7 +150,7 @@ describe('the room in a headset', () => {
       () => true,
     );
     await other.evaluate(() => document.querySelector('.toggle').click());
-    assert.match(await panelText(other), /No headset is connected|does not know WebXR/);
+    assert.match(await panelText(other), /No headset is connected|does not support WebXR/);
   });
 });
 

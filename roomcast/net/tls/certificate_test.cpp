@@ -71,7 +71,7 @@ TEST_F(CertificateTest, names_the_fault_of_each_file) {
   expect_error(Certificate::load(directory_ / "none.pem", one), ErrorCode::kNotFound, "none.pem");
   expect_error(Certificate::load(text, one), ErrorCode::kMalformed, "no certificate");
   expect_error(Certificate::load(one, text), ErrorCode::kMalformed, "no private key");
-  expect_error(Certificate::load(one, other), ErrorCode::kMalformed, "is not that of");
+  expect_error(Certificate::load(one, other), ErrorCode::kMalformed, "does not belong to");
 }
 
 TEST_F(CertificateTest, that_cannot_be_written_is_an_error) {
