@@ -51,7 +51,7 @@ TEST(StoredPoseChecks, the_one_that_was_moved_is_found_out_by_the_others) {
   ASSERT_TRUE(checks.contradicted.contains("a"));
   EXPECT_TRUE(checks.contradicted.at("a").withdrawn);
   EXPECT_FALSE(checks.contradicted.at("a").pose.is_placed());
-  EXPECT_NE(checks.contradicted.at("a").pose.note.find("b sees"), std::string::npos);
+  EXPECT_NE(checks.contradicted.at("a").pose.note.find("those of b"), std::string::npos);
 }
 
 TEST(StoredPoseChecks, one_alone_has_nothing_to_be_compared_with) {
