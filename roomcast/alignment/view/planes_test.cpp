@@ -87,7 +87,7 @@ TEST(FoundPlanes, are_at_most_eight) {
   for (int i = 0; i < 10; ++i)
     stairs = samples_of_both(stairs,
                              sampled_plane(kTowardsCamera, 1 + 0.2F * static_cast<float>(i), 100));
-  EXPECT_EQ(find_planes(stairs).size(), kMaxPlanes);
+  EXPECT_EQ(find_planes(stairs).size(), PlaneOptions{}.max_planes);
 }
 
 }  // namespace

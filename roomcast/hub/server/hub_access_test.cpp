@@ -47,11 +47,11 @@ class HubAccessTest : protected WithFolder, public HubServerTest {
   /// Expects a refusal with this code, while frames flow in the room and reach an admitted viewer.
   void expect_refused(const pb::Control& join, pb::ErrorCode code) {
     const auto sensor =
-        welcomed(with(sensor_join("left"), "lab", token("lab", TokenRole::kSensor)));
+        welcomed(with(join_as_sensor("left"), "lab", token("lab", TokenRole::kSensor)));
     auto& socket = *sockets.back();
     const auto id = SensorId{static_cast<std::uint16_t>(sensor->received[0].welcome().sensor_id())};
     ASSERT_EQ(id.value, 0);
-    const auto friendly = welcomed(with(viewer_join(), "lab", token("lab", TokenRole::kViewer)));
+    const auto friendly = welcomed(with(join_as_viewer(), "lab", token("lab", TokenRole::kViewer)));
     const auto stranger = connect(join);
     for (std::uint32_t seq = 0; seq < 5; ++seq) {
       sensor->send(key_frame(seq));
@@ -71,58 +71,58 @@ class HubAccessTest : protected WithFolder, public HubServerTest {
 };
 
 TEST_F(HubAccessTest, a_room_that_needs_a_token_refuses_clients_without_one) {
-  expect_refused(with(viewer_join(), "lab", ""), pb::ERROR_UNAUTHENTICATED);
+  expect_refused(with(join_as_viewer(), "lab", ""), pb::ERROR_UNAUTHENTICATED);
 }
 
 TEST_F(HubAccessTest, an_expired_token_is_refused) {
   now -= 1000;
   const std::string old = token("lab", TokenRole::kViewer, 10);
   now += 1000;
-  expect_refused(with(viewer_join(), "lab", old), pb::ERROR_TOKEN_EXPIRED);
+  expect_refused(with(join_as_viewer(), "lab", old), pb::ERROR_TOKEN_EXPIRED);
 }
 
 TEST_F(HubAccessTest, another_rooms_token_is_refused) {
-  expect_refused(with(viewer_join(), "lab", token("cellar", TokenRole::kViewer)),
+  expect_refused(with(join_as_viewer(), "lab", token("cellar", TokenRole::kViewer)),
                  pb::ERROR_WRONG_ROOM);
 }
 
 TEST_F(HubAccessTest, a_sensor_token_does_not_admit_a_viewer) {
-  expect_refused(with(viewer_join(), "lab", token("lab", TokenRole::kSensor)),
+  expect_refused(with(join_as_viewer(), "lab", token("lab", TokenRole::kSensor)),
                  pb::ERROR_WRONG_ROLE);
 }
 
 TEST_F(HubAccessTest, a_viewer_token_does_not_admit_a_sensor) {
-  expect_refused(with(sensor_join("right"), "lab", token("lab", TokenRole::kViewer)),
+  expect_refused(with(join_as_sensor("right"), "lab", token("lab", TokenRole::kViewer)),
                  pb::ERROR_WRONG_ROLE);
 }
 
 TEST_F(HubAccessTest, a_tampered_token_is_refused) {
   std::string shown = token("lab", TokenRole::kViewer);
   shown[shown.size() / 2] = shown[shown.size() / 2] == 'A' ? 'Q' : 'A';
-  expect_refused(with(viewer_join(), "lab", shown), pb::ERROR_TOKEN_INVALID);
+  expect_refused(with(join_as_viewer(), "lab", shown), pb::ERROR_TOKEN_INVALID);
 }
 
 TEST_F(HubAccessTest, a_revoked_token_is_refused) {
   const auto made = *store->issue({.room = "lab", .role = TokenRole::kViewer}, 600);
   ASSERT_TRUE(store->revoke(made.claims.id).ok());
-  expect_refused(with(viewer_join(), "lab", made.token), pb::ERROR_TOKEN_REVOKED);
+  expect_refused(with(join_as_viewer(), "lab", made.token), pb::ERROR_TOKEN_REVOKED);
 }
 
 TEST_F(HubAccessTest, a_code_is_exchanged_once_and_its_token_stays_valid) {
-  auto join = with(viewer_join(), "", "");
+  auto join = with(join_as_viewer(), "", "");
   join.mutable_join()->set_code(
       store->issue_code({.room = "lab", .role = TokenRole::kViewer}, 600)->code);
   const auto viewer = welcomed(join);
   const std::string received = viewer->received[0].welcome().token();
   EXPECT_FALSE(received.empty());
   EXPECT_EQ(viewer->received[0].welcome().room(), "lab");
-  (void)welcomed(with(viewer_join(), "lab", received));
+  (void)welcomed(with(join_as_viewer(), "lab", received));
   expect_refused(join, pb::ERROR_CODE_USED);
 }
 
 TEST_F(HubAccessTest, a_private_and_a_missing_room_answer_alike) {
-  const auto there = connect(with(viewer_join(), "cellar", ""));
-  const auto nowhere = connect(with(viewer_join(), "nowhere", ""));
+  const auto there = connect(with(join_as_viewer(), "cellar", ""));
+  const auto nowhere = connect(with(join_as_viewer(), "nowhere", ""));
   run_until([&] { return there->closed && nowhere->closed; });
   EXPECT_EQ(there->received[0].SerializeAsString(), nowhere->received[0].SerializeAsString());
   EXPECT_EQ(there->received[0].error().code(), pb::ERROR_NO_SUCH_ROOM);
@@ -130,16 +130,17 @@ TEST_F(HubAccessTest, a_private_and_a_missing_room_answer_alike) {
 }
 
 TEST_F(HubAccessTest, a_viewer_gets_no_messages_of_another_room) {
-  const auto sensor = welcomed(with(sensor_join("left"), "lab", token("lab", TokenRole::kSensor)));
+  const auto sensor =
+      welcomed(with(join_as_sensor("left"), "lab", token("lab", TokenRole::kSensor)));
   auto& socket = *sockets.back();
-  const auto inside = welcomed(with(viewer_join(), "lab", token("lab", TokenRole::kViewer)));
-  const auto outside = welcomed(with(viewer_join(), "open", ""));
+  const auto inside = welcomed(with(join_as_viewer(), "lab", token("lab", TokenRole::kViewer)));
+  const auto outside = welcomed(with(join_as_viewer(), "open", ""));
   for (std::uint32_t seq = 0; seq < 5; ++seq) {
     sensor->send(key_frame(seq));
     socket.wake();
     run_until([&] { return inside->frames.size() > seq; });
   }
-  const auto late = welcomed(with(viewer_join(), "open", ""));
+  const auto late = welcomed(with(join_as_viewer(), "open", ""));
   run_until([&] { return outside->received.back().has_roster(); });
   EXPECT_TRUE(outside->frames.empty());
   for (const auto& message : outside->received) {
@@ -149,38 +150,41 @@ TEST_F(HubAccessTest, a_viewer_gets_no_messages_of_another_room) {
 }
 
 TEST_F(HubAccessTest, the_name_of_an_online_sensor_is_reserved) {
-  const auto sensor = welcomed(with(sensor_join("left"), "lab", token("lab", TokenRole::kSensor)));
-  const auto thief = connect(with(sensor_join("left"), "lab", token("lab", TokenRole::kSensor)));
+  const auto sensor =
+      welcomed(with(join_as_sensor("left"), "lab", token("lab", TokenRole::kSensor)));
+  const auto thief = connect(with(join_as_sensor("left"), "lab", token("lab", TokenRole::kSensor)));
   run_until([&] { return thief->closed.has_value(); });
   EXPECT_EQ(thief->received.at(0).error().code(), pb::ERROR_WRONG_ROLE);
   EXPECT_FALSE(sensor->closed);
 }
 
 TEST_F(HubAccessTest, a_frame_before_the_welcome_ends_the_connection) {
-  const auto hasty =
-      connect({framed_control(with(sensor_join("left"), "lab", token("lab", TokenRole::kSensor))),
-               key_frame(0)});
+  const auto hasty = connect(
+      {framed_control(with(join_as_sensor("left"), "lab", token("lab", TokenRole::kSensor))),
+       key_frame(0)});
   run_until([&] { return hasty->closed.has_value(); });
   EXPECT_EQ(hasty->received.back().error().code(), pb::ERROR_UNEXPECTED);
 }
 
 TEST_F(HubAccessTest, a_client_is_disconnected_when_another_program_revokes_its_token) {
   const auto made = *store->issue({.room = "lab", .role = TokenRole::kViewer}, 600);
-  const auto viewer = welcomed(with(viewer_join(), "lab", made.token));
+  const auto viewer = welcomed(with(join_as_viewer(), "lab", made.token));
   ASSERT_TRUE(store->revoke(made.claims.id).ok());
   run_until([&] { return viewer->closed.has_value(); });
   EXPECT_EQ(viewer->received.back().error().code(), pb::ERROR_TOKEN_REVOKED);
 }
 
 TEST_F(HubAccessTest, a_client_is_disconnected_when_its_token_expires) {
-  const auto viewer = welcomed(with(viewer_join(), "lab", token("lab", TokenRole::kViewer, 2)));
+  const auto viewer = welcomed(with(join_as_viewer(), "lab", token("lab", TokenRole::kViewer, 2)));
   run_until([&] { return viewer->closed.has_value(); });
   EXPECT_EQ(viewer->received.back().error().code(), pb::ERROR_TOKEN_EXPIRED);
 }
 
 TEST_F(HubAccessTest, the_hubs_own_token_admits_to_every_room) {
-  EXPECT_TRUE(
-      welcomed(with(viewer_join(), "cellar", hub->own_token()))->received[0].welcome().may_place());
+  EXPECT_TRUE(welcomed(with(join_as_viewer(), "cellar", hub->own_token()))
+                  ->received[0]
+                  .welcome()
+                  .may_place());
 }
 
 class ConnectionLimitTest : public HubServerTest {
@@ -190,7 +194,7 @@ class ConnectionLimitTest : public HubServerTest {
 
 TEST_F(ConnectionLimitTest, limits_the_unjoined_connections_of_one_address) {
   for (int i = 0; i < 6; ++i) {
-    const auto viewer = connect(viewer_join());
+    const auto viewer = connect(join_as_viewer());
     run_until([&] { return !viewer->received.empty(); });
   }
   for (int i = 0; i < 4; ++i) (void)connect(std::deque<net::FramedMessagePtr>());

@@ -55,7 +55,7 @@ class HubBanTest : protected HubWithFolder, public HubServerTest {
   }
 
   void join_with_a_bad_token() {
-    pb::Control join = viewer_join();
+    pb::Control join = join_as_viewer();
     join.mutable_join()->set_token("guessed");
     const auto guesser = connect(join);
     run_until([&] { return guesser->closed.has_value(); });

@@ -64,7 +64,7 @@ class HubLogTest : protected WithLog, public HubServerTest {
 };
 
 TEST_F(HubLogTest, logs_joining_and_leaving_clients) {
-  auto sensor = answered(in_room(sensor_join("left"), "open"));
+  auto sensor = answered(in_room(join_as_sensor("left"), "open"));
   Fields join = logged("join");
   EXPECT_EQ(join["room"], "open");
   EXPECT_EQ(join["role"], "sensor");
@@ -78,7 +78,7 @@ TEST_F(HubLogTest, logs_joining_and_leaving_clients) {
 }
 
 TEST_F(HubLogTest, logs_refused_clients_with_the_error_code) {
-  answered(in_room(viewer_join(), "lab"));
+  answered(in_room(join_as_viewer(), "lab"));
   Fields refuse = logged("refuse");
   EXPECT_EQ(refuse["room"], "lab");
   EXPECT_EQ(refuse["role"], "viewer");
@@ -86,7 +86,7 @@ TEST_F(HubLogTest, logs_refused_clients_with_the_error_code) {
 }
 
 TEST_F(HubLogTest, logs_the_token_of_a_joined_client) {
-  pb::Control join = in_room(viewer_join(), "lab");
+  pb::Control join = in_room(join_as_viewer(), "lab");
   join.mutable_join()->set_token(hub->own_token());
   const auto viewer = answered(join);
   ASSERT_TRUE(viewer->received.at(0).has_welcome()) << viewer->received.at(0).error().sentence();
@@ -97,8 +97,9 @@ TEST_F(HubLogTest, logs_the_token_of_a_joined_client) {
 }
 
 TEST_F(HubLogTest, logs_disconnected_clients_with_the_reason) {
-  answered(in_room(sensor_join("left"), "open"));
-  answered(in_room(sensor_join("left"), "open"));  // without tokens it may replace the earlier one
+  answered(in_room(join_as_sensor("left"), "open"));
+  answered(
+      in_room(join_as_sensor("left"), "open"));  // without tokens it may replace the earlier one
   Fields away = logged("send_away");
   EXPECT_EQ(away["name"], "left");
   EXPECT_FALSE(away["error"].empty());

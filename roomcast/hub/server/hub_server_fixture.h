@@ -74,7 +74,7 @@ inline void set_camera(pb::Intrinsics& camera) {
   camera.set_cy(212);
 }
 
-inline pb::Control sensor_join(const std::string& name) {
+inline pb::Control join_as_sensor(const std::string& name) {
   pb::Control control;
   control.mutable_join()->set_name(name);
   auto& sensor = *control.mutable_join()->mutable_sensor();
@@ -96,7 +96,7 @@ inline net::FramedMessagePtr key_frame(std::uint32_t seq) {
   return net::frame_message(net::MessageBuffer(bytes));
 }
 
-inline pb::Control viewer_join() {
+inline pb::Control join_as_viewer() {
   pb::Control control;
   control.mutable_join()->mutable_viewer();
   return control;

@@ -9,7 +9,7 @@ namespace roomcast::hub {
 namespace {
 
 TEST_F(HubServerTest, a_viewer_gets_a_welcome_and_the_roster) {
-  const auto viewer = connect(viewer_join());
+  const auto viewer = connect(join_as_viewer());
   run_until([&] { return viewer->received.size() >= 2; });
   EXPECT_TRUE(viewer->received[0].has_welcome());
   EXPECT_TRUE(viewer->received[1].has_roster());
@@ -26,12 +26,12 @@ TEST_F(HubServerTest, an_invalid_message_is_answered_with_a_reason_and_a_close) 
 }
 
 TEST_F(HubServerTest, an_invalid_message_leaves_other_clients_connected) {
-  const auto viewer = connect(viewer_join());
+  const auto viewer = connect(join_as_viewer());
   run_until([&] { return viewer->received.size() >= 2; });
   const auto stranger =
       connect({net::frame_message(net::MessageBuffer(std::vector<std::uint8_t>{1, 2, 3}))});
   run_until([&] { return stranger->closed.has_value(); });
-  const auto another = connect(viewer_join());
+  const auto another = connect(join_as_viewer());
   run_until([&] { return another->received.size() >= 2 && viewer->received.size() >= 3; });
   EXPECT_FALSE(viewer->closed);
   EXPECT_EQ(viewer->received.back().roster().viewers_size(), 2);
@@ -39,7 +39,7 @@ TEST_F(HubServerTest, an_invalid_message_leaves_other_clients_connected) {
 
 TEST_F(HubServerTest, clock_pings_are_answered_with_room_time) {
   const auto before = SteadyClock().now();
-  const auto viewer = connect({framed_control(viewer_join()), clock_ping(5)});
+  const auto viewer = connect({framed_control(join_as_viewer()), clock_ping(5)});
   const auto pong = [&] {
     return std::ranges::find_if(viewer->received, [](const auto& m) { return m.has_clock_pong(); });
   };
@@ -59,9 +59,9 @@ INSTANTIATE_TEST_SUITE_P(Threads, HubOnThreadsTest, testing::Values(1, 2, 3));
 
 TEST_P(HubOnThreadsTest, all_viewers_get_all_frames_in_order) {
   std::vector<std::shared_ptr<RawClient>> viewers;
-  for (int i = 0; i < 5; ++i) viewers.push_back(connect(viewer_join()));
+  for (int i = 0; i < 5; ++i) viewers.push_back(connect(join_as_viewer()));
   for (const auto& viewer : viewers) run_until([&] { return viewer->received.size() >= 2; });
-  const auto sensor = connect(sensor_join("left"));
+  const auto sensor = connect(join_as_sensor("left"));
   run_until([&] { return sensor->received.size() >= 1 && sensor->received[0].has_welcome(); });
   constexpr std::uint32_t kFrames = 20;
   for (std::uint32_t seq = 0; seq < kFrames; ++seq) {
@@ -76,9 +76,9 @@ TEST_P(HubOnThreadsTest, all_viewers_get_all_frames_in_order) {
 
 TEST_P(HubOnThreadsTest, viewers_can_join_and_leave_at_any_time) {
   for (std::size_t round = 0; round < 4; ++round) {
-    const auto staying = connect(viewer_join());
+    const auto staying = connect(join_as_viewer());
     run_until([&] { return staying->received.size() >= 2; });
-    const auto going = connect(viewer_join());
+    const auto going = connect(join_as_viewer());
     run_until([&] { return going->received.size() >= 2; });
     sockets.back()->close(net::close_code::kNormal, "");
     run_until([&] {
@@ -100,7 +100,7 @@ TEST_F(JoinDeadlineTest, a_silent_connection_is_closed) {
 }
 
 TEST_F(HubServerTest, joining_twice_ends_the_connection) {
-  const auto viewer = connect({framed_control(viewer_join()), framed_control(viewer_join())});
+  const auto viewer = connect({framed_control(join_as_viewer()), framed_control(join_as_viewer())});
   run_until([&] { return viewer->closed.has_value(); });
   EXPECT_EQ(viewer->received.back().error().code(), pb::ERROR_UNEXPECTED);
 }
@@ -127,7 +127,7 @@ TEST_F(SmallHubTest, limits_unjoined_connections) {
 
 TEST_P(HubOnThreadsTest, a_stopping_hub_sends_close_frames) {
   std::vector<std::shared_ptr<RawClient>> viewers;
-  for (int i = 0; i < 3; ++i) viewers.push_back(connect(viewer_join()));
+  for (int i = 0; i < 3; ++i) viewers.push_back(connect(join_as_viewer()));
   for (const auto& viewer : viewers) run_until([&] { return viewer->received.size() >= 2; });
   thread.request_stop();
   for (const auto& viewer : viewers) {

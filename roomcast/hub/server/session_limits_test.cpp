@@ -28,14 +28,14 @@ pb::Control aligner_join() {
 }
 
 pb::Control join_as_hub() {
-  pb::Control control = viewer_join();
+  pb::Control control = join_as_viewer();
   control.mutable_join()->mutable_viewer()->set_relays(true);
   return control;
 }
 
 std::vector<Case> cases() {
-  return {{"sensor", sensor_join("left"), 40},
-          {"viewer", viewer_join(), 10},
+  return {{"sensor", join_as_sensor("left"), 40},
+          {"viewer", join_as_viewer(), 10},
           {"hub", join_as_hub(), 20},
           {"aligner", aligner_join(), 15}};
 }
@@ -83,7 +83,7 @@ TEST_F(SessionLimitsTest, disconnects_a_client_beyond_the_limits_of_its_role) {
 
 TEST_F(SessionLimitsTest, an_unjoined_connection_has_the_limits_of_a_viewer) {
   std::deque<net::FramedMessagePtr> to_send(30, clock_ping(1));
-  pb::Control join = sensor_join("left");
+  pb::Control join = join_as_sensor("left");
   join.mutable_join()->set_room("nowhere");
   to_send.front() = framed_control(join);
   const auto stranger = connect(std::move(to_send));
@@ -106,11 +106,11 @@ TEST_F(SmallMessagesTest, disconnects_a_client_that_sends_too_large_messages) {
   pose.GetReflection()->MutableUnknownFields(&pose)->AddLengthDelimited(1000,
                                                                         std::string(3000, 'x'));
   const auto large = framed_control(pose);
-  const auto viewer = welcomed(viewer_join());
+  const auto viewer = welcomed(join_as_viewer());
   send(*viewer, 2, large);
   run_until([&] { return viewer->closed.has_value(); });
   EXPECT_EQ(viewer->received.back().error().code(), pb::ERROR_TOO_FAST);
-  const auto sensor = welcomed(sensor_join("left"));
+  const auto sensor = welcomed(join_as_sensor("left"));
   send(*sensor, 2, large);
   run_until([&] { return pongs(*sensor) == 2; });
   EXPECT_FALSE(sensor->closed);

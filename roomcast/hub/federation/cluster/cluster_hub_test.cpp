@@ -47,8 +47,8 @@ class ClusterHubTest : public hub::federation::ClientsOfHubs {
 TEST_F(ClusterHubTest, a_viewer_at_any_hub_sees_a_sensor_at_any_other) {
   const NatsServer server;
   const RunningHub first(sharing_over(server)), second(sharing_over(server));
-  const auto sensor = join(first, hub::sensor_join("left"));
-  const auto viewer = join(second, hub::viewer_join());
+  const auto sensor = join(first, hub::join_as_sensor("left"));
+  const auto viewer = join(second, hub::join_as_viewer());
   send_until_seen(sensor, viewer);
   const auto age =
       RoomTime(SteadyClock().now().time_since_epoch()) - viewer->frames.front().capture_time;
@@ -60,8 +60,8 @@ TEST_F(ClusterHubTest, a_viewer_at_any_hub_sees_a_sensor_at_any_other) {
 TEST_F(ClusterHubTest, counts_the_traffic_over_nats) {
   const NatsServer server;
   const RunningHub first(sharing_over(server)), second(sharing_over(server));
-  const auto sensor = join(first, hub::sensor_join("left"));
-  const auto viewer = join(second, hub::viewer_join());
+  const auto sensor = join(first, hub::join_as_sensor("left"));
+  const auto viewer = join(second, hub::join_as_viewer());
   send_until_seen(sensor, viewer);
   const std::string metrics = metrics_of(second);
   EXPECT_THAT(metrics, testing::HasSubstr("\nroomcast_backplane_links_up 1\n"));
@@ -74,12 +74,12 @@ TEST_F(ClusterHubTest, counts_the_traffic_over_nats) {
 TEST_F(ClusterHubTest, a_remote_sensor_that_leaves_is_offline_and_can_return) {
   const NatsServer server;
   const RunningHub first(sharing_over(server)), second(sharing_over(server));
-  const auto viewer = join(second, hub::viewer_join());
-  const auto sensor = join(first, hub::sensor_join("left"));
+  const auto viewer = join(second, hub::join_as_viewer());
+  const auto sensor = join(first, hub::join_as_sensor("left"));
   run_until([&] { return shows_online(*viewer); });
   sockets.back()->close(net::close_code::kNormal, "left");
   run_until([&] { return !shows_online(*viewer); });
-  const auto again = join(second, hub::sensor_join("left"));
+  const auto again = join(second, hub::join_as_sensor("left"));
   run_until([&] { return shows_online(*viewer); });
   disconnect_all();
 }
@@ -93,9 +93,9 @@ TEST_F(ClusterHubTest, viewers_and_sensors_get_the_urls_of_other_hubs) {
              message.other_hubs().urls(0) == "wss://first";
     });
   };
-  const auto viewer = join(second, hub::viewer_join());
+  const auto viewer = join(second, hub::join_as_viewer());
   run_until([&] { return names_first(*viewer); });
-  const auto sensor = join(second, hub::sensor_join("left"));
+  const auto sensor = join(second, hub::join_as_sensor("left"));
   run_until([&] { return names_first(*sensor); });
   disconnect_all();
 }

@@ -46,8 +46,8 @@ class UpstreamHubTest : public hub::federation::ClientsOfHubs {
 
 TEST_F(UpstreamHubTest, a_viewer_sees_the_sensors_of_the_other_hub) {
   const RunningHub origin, edge(serving_on({origin.port()}));
-  const auto sensor = join(origin, hub::sensor_join("left"));
-  const auto viewer = join(edge, hub::viewer_join());
+  const auto sensor = join(origin, hub::join_as_sensor("left"));
+  const auto viewer = join(edge, hub::join_as_viewer());
   send_until_seen(sensor, viewer);
   EXPECT_TRUE(viewer->frames.front().key);
   const auto late =
@@ -59,9 +59,9 @@ TEST_F(UpstreamHubTest, a_viewer_sees_the_sensors_of_the_other_hub) {
 
 TEST_F(UpstreamHubTest, counts_the_traffic_from_the_other_hub) {
   const RunningHub origin, edge(serving_on({origin.port()}));
-  const auto sensor = join(origin, hub::sensor_join("left"));
+  const auto sensor = join(origin, hub::join_as_sensor("left"));
   EXPECT_THAT(metrics_of(edge), testing::HasSubstr("\nroomcast_backplane_links 0\n"));
-  const auto viewer = join(edge, hub::viewer_join());
+  const auto viewer = join(edge, hub::join_as_viewer());
   send_until_seen(sensor, viewer);
   const std::string metrics = metrics_of(edge);
   EXPECT_THAT(metrics, testing::HasSubstr("\nroomcast_backplane_links_up 1\n"));
@@ -73,9 +73,9 @@ TEST_F(UpstreamHubTest, a_room_that_needs_a_token_is_relayed_with_a_token_only) 
   const RunningHub origin({.rooms = {{.name = "room", .view = hub::AccessRule::kToken}}});
   const RunningHub without(serving_on({origin.port()}));
   const RunningHub with(serving_on({origin.port()}, origin.server().own_token()));
-  const auto sensor = join(origin, hub::sensor_join("left"));
-  const auto stranger = join(without, hub::viewer_join());
-  const auto viewer = join(with, hub::viewer_join());
+  const auto sensor = join(origin, hub::join_as_sensor("left"));
+  const auto stranger = join(without, hub::join_as_viewer());
+  const auto viewer = join(with, hub::join_as_viewer());
   send_until_seen(sensor, viewer);
   EXPECT_TRUE(stranger->frames.empty());
   disconnect_all();
@@ -83,10 +83,10 @@ TEST_F(UpstreamHubTest, a_room_that_needs_a_token_is_relayed_with_a_token_only) 
 
 TEST_F(UpstreamHubTest, a_room_is_pulled_only_while_it_has_viewers) {
   const RunningHub origin, edge(serving_on({origin.port()}));
-  const auto sensor = join(origin, hub::sensor_join("left"));
-  const auto witness = join(origin, hub::viewer_join());
+  const auto sensor = join(origin, hub::join_as_sensor("left"));
+  const auto witness = join(origin, hub::join_as_viewer());
   run_until([&] { return viewers_in(*witness).size() == 1; });
-  const auto viewer = join(edge, hub::viewer_join());
+  const auto viewer = join(edge, hub::join_as_viewer());
   run_until([&] { return viewers_in(*witness).size() == 2; });
   sockets.back()->close(net::close_code::kNormal, "left");
   run_until([&] { return viewers_in(*witness).size() == 1; });
@@ -97,8 +97,8 @@ TEST_F(UpstreamHubTest, pulls_from_the_next_hub_when_one_is_gone) {
   auto first = std::make_unique<RunningHub>();
   const RunningHub second;
   const RunningHub edge(serving_on({first->port(), second.port()}));
-  const auto sensor = join(second, hub::sensor_join("left"));
-  const auto viewer = join(edge, hub::viewer_join());
+  const auto sensor = join(second, hub::join_as_sensor("left"));
+  const auto viewer = join(edge, hub::join_as_viewer());
   first.reset();
   send_until_seen(sensor, viewer);
   disconnect_all();
@@ -106,8 +106,8 @@ TEST_F(UpstreamHubTest, pulls_from_the_next_hub_when_one_is_gone) {
 
 TEST_F(UpstreamHubTest, a_sensor_that_leaves_there_is_offline_here) {
   const RunningHub origin, edge(serving_on({origin.port()}));
-  const auto sensor = join(origin, hub::sensor_join("left"));
-  const auto viewer = join(edge, hub::viewer_join());
+  const auto sensor = join(origin, hub::join_as_sensor("left"));
+  const auto viewer = join(edge, hub::join_as_viewer());
   send_until_seen(sensor, viewer);
   sockets.front()->close(net::close_code::kNormal, "left");
   run_until([&] {
