@@ -145,7 +145,7 @@ test('a_viewers_token_does_not_let_a_hub_relay', async (t) => {
   const origin = await startHub(t, '--access', 'token', '--data', theirs);
   const edge = await startHub(t, '--upstream', origin.url, '--upstream-token-file', `${ours}/token`);
   await RoomClient.join(t, edge.url);
-  await edge.program.prints(/this token is for role viewer; to serve on this room takes one for role hub/);
+  await edge.program.prints(/this token is for role viewer; to relay this room takes one for role hub/);
 });
 
 test('holders_of_a_revoked_token_are_disconnected_at_relays_too', async (t) => {

@@ -48,7 +48,7 @@ RequiredAccess required_of(const pb::Join& join, const RoomSettings& room) {
     case pb::Join::kSensor:
       return {room.send, TokenRole::kSensor, "send"};
     case pb::Join::kViewer:
-      if (join.viewer().relays()) return {room.view, TokenRole::kHub, "serve on"};
+      if (join.viewer().relays()) return {room.view, TokenRole::kHub, "relay"};
       return {room.view, TokenRole::kViewer, "view"};
     default:
       return {AccessRule::kAdmin, TokenRole::kAdmin, "place sensors in"};

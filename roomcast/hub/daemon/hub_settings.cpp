@@ -111,7 +111,7 @@ Result<hub::HubOptions> hub_options_of(const hub::HubConfig& config,
   options.address = listen.address;
   options.port = listen.port;
   options.rooms = *std::move(rooms);
-  options.recalls_poses = config.align;
+  options.restores_poses = config.align;
   options.names = names_of(config, listen.address, encrypted);
   options.limits = limits_of(config);
   options.metrics_for_anyone =

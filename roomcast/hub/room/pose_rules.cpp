@@ -19,7 +19,7 @@ bool is_the_same(const RigidTransform& found, const RigidTransform& known) {
          (found.translation_m - known.translation_m).cwiseAbs().maxCoeff() < kRounding;
 }
 
-/// Room::announce() chooses where to show the sensor.
+/// Room::send_roster() chooses where to show the sensor.
 void withdraw(SensorPose& pose) {
   pose.source = PoseSource::kNone;
   pose.expected_error_mm = 0;

@@ -12,10 +12,10 @@ namespace roomcast::hub {
 
 namespace pb = wire::pb;
 
-Room::Room(RoomSettings settings, std::string hub_version, bool recalls_poses)
+Room::Room(RoomSettings settings, std::string hub_version, bool restores_poses)
     : settings_(std::move(settings)),
       hub_version_(std::move(hub_version)),
-      recalls_poses_(recalls_poses) {}
+      restores_poses_(restores_poses) {}
 
 /// Aligners may, too: the backplane joins as an aligner and forwards the nudges of other hubs.
 bool Room::may_nudge(ConnectionId from) const {
@@ -151,7 +151,7 @@ RoomActions Room::forget(const std::string& name, RoomTime now) {
   RoomActions out;
   const RoomSensor* sensor = sensors_.find(name);
   if (sensor != nullptr && sensor->connection) return out;
-  if (sensors_.forget(name)) announce(now, out);
+  if (sensors_.forget(name)) send_roster(now, out);
   return out;
 }
 
@@ -160,17 +160,17 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
   if (RoomSensor* sensor = sensors_.find(from)) {
     sensors_.disconnect(*sensor);
     sets_.remove_sensor(sensor->id);
-    announce(now, out);
+    send_roster(now, out);
     send_closed_sets(now, out);
   } else if (const auto viewer = viewers_.find(from); viewer != viewers_.end()) {
     poses_.forget(viewer->second.id);
     viewers_.erase(viewer);
     forget_people(remote_presence_.forget(from));
-    announce_in_time(now, out);
+    send_roster_when_due(now, out);
   } else {
     std::erase(aligners_, from);
     std::erase(backplane_aligners_, from);
-    if (forget_people(remote_presence_.forget(from))) announce_in_time(now, out);
+    if (forget_people(remote_presence_.forget(from))) send_roster_when_due(now, out);
     if (aligners_.empty() && (wanted_sightings_.heads() || wanted_sightings_.tags()))
       ask_for_sightings({}, out);
   }
@@ -186,7 +186,7 @@ RoomActions Room::tick(RoomTime now) {
   if (auto poses = poses_.take(now)) {
     out.push_back(SendControl{readers_of_poses(), *std::move(poses)});
   }
-  if (roster_changed_ && now >= next_roster_) announce(now, out);
+  if (roster_changed_ && now >= next_roster_) send_roster(now, out);
   return out;
 }
 
@@ -219,22 +219,22 @@ void Room::send_closed_sets(RoomTime now, RoomActions& out) {
 /// Sends the roster at once. Sensor changes need this: a viewer must have a sensor's calibration
 /// before its frames. If people have changed, all poses are sent again, because viewers may have
 /// received poses of people whom no roster had named yet.
-void Room::announce(RoomTime now, RoomActions& out) {
+void Room::send_roster(RoomTime now, RoomActions& out) {
   place_unplaced_in_row();
-  const bool people_are_news = std::exchange(roster_changed_, false);
+  const bool people_changed = std::exchange(roster_changed_, false);
   if (viewers_.empty() && aligners_.empty()) return;
   next_roster_ = now + wire::kRosterInterval;
-  if (people_are_news) poses_.resend_all();
+  if (people_changed) poses_.resend_all();
   out.push_back(SendControl{readers_of_roster(), roster_message()});
 }
 
-/// Announces that people joined or left, at most once per wire::kRosterInterval. Otherwise a group
-/// that joins together would cause one roster to everybody per person. False: the roster is sent
-/// later.
-bool Room::announce_in_time(RoomTime now, RoomActions& out) {
+/// Sends the roster with who joined or left, at most once per wire::kRosterInterval. Otherwise a
+/// group that joins together would cause one roster to everybody per person. False: the roster is
+/// sent later.
+bool Room::send_roster_when_due(RoomTime now, RoomActions& out) {
   roster_changed_ = true;
   if (now < next_roster_) return false;
-  announce(now, out);
+  send_roster(now, out);
   return true;
 }
 

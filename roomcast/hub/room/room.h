@@ -36,9 +36,9 @@ class Room {
   /// How often a viewer that is a hub may report its people. It reports when its roster changes.
   static constexpr double kPeopleReportsPerSecond = 20;
 
-  /// `recalls_poses`: restore the estimated poses of remembered sensors. Only where an aligner
+  /// `restores_poses`: restore the estimated poses of remembered sensors. Only where an aligner
   /// verifies them.
-  Room(RoomSettings settings, std::string hub_version, bool recalls_poses = true);
+  Room(RoomSettings settings, std::string hub_version, bool restores_poses = true);
 
   /// Applies to clients that join from now on. The name stays the same.
   void change(RoomSettings settings) { settings_ = std::move(settings); }
@@ -120,9 +120,9 @@ class Room {
   void ask_for_key(const RoomSensor& sensor, RoomActions& out);
   void take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out);
   void send_closed_sets(RoomTime now, RoomActions& out);
-  void announce(RoomTime now, RoomActions& out);
+  void send_roster(RoomTime now, RoomActions& out);
   void place_unplaced_in_row();
-  bool announce_in_time(RoomTime now, RoomActions& out);
+  bool send_roster_when_due(RoomTime now, RoomActions& out);
   [[nodiscard]] wire::pb::Control roster_message();
   [[nodiscard]] std::vector<ConnectionId> viewer_connections() const;
   [[nodiscard]] std::vector<ConnectionId> readers_of_roster() const;
@@ -134,7 +134,7 @@ class Room {
 
   RoomSettings settings_;
   const std::string hub_version_;
-  const bool recalls_poses_;
+  const bool restores_poses_;
   SensorList sensors_;
   std::unordered_map<ConnectionId, Viewer> viewers_;
   std::vector<ConnectionId> aligners_;

@@ -59,11 +59,12 @@ pb::Control Room::welcome_message(const Entry& entry) const {
 void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& entry, RoomTime now,
                        RoomActions& out) {
   if (!evict_for(join.name())) {
-    out = refuse(from, pb::ERROR_ROOM_FULL,
-                 "this room has " + std::to_string(settings_.max_sensors) +
-                     " sensors that are here or have their place; its admin can forget one that is "
-                     "gone",
-                 now);
+    out = refuse(
+        from, pb::ERROR_ROOM_FULL,
+        "this room has " + std::to_string(settings_.max_sensors) +
+            " sensors that are connected or have a stored pose; its admin can forget one that is "
+            "gone",
+        now);
     return;
   }
   const bool was_here = sensors_.find(join.name()) != nullptr;
@@ -102,7 +103,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
     *request.mutable_sighting_request() = wanted_sightings_;
     out.push_back(SendControl{{from}, std::move(request)});
   }
-  announce(now, out);
+  send_roster(now, out);
   send_closed_sets(now, out);
 }
 
@@ -139,7 +140,7 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, const Entry& ent
   ++next_viewer_id_;
   out.push_back(AcceptConnection{from, join.viewer().relays() ? Role::kHub : Role::kViewer});
   out.push_back(SendControl{{from}, std::move(welcome)});
-  if (!announce_in_time(now, out)) out.push_back(SendControl{{from}, roster_message()});
+  if (!send_roster_when_due(now, out)) out.push_back(SendControl{{from}, roster_message()});
   for (RoomSensor& sensor : sensors_.all()) {
     if (sensor.connection && sensor.key_pace.request(now)) ask_for_key(sensor, out);
   }
@@ -147,7 +148,7 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, const Entry& ent
 
 void Room::join_aligner(ConnectionId from, const Entry& entry, RoomTime now, RoomActions& out) {
   if (aligners_.size() >= wire::kMaxAligners) {
-    out = refuse(from, pb::ERROR_ROOM_FULL, "this room has aligners enough", now);
+    out = refuse(from, pb::ERROR_ROOM_FULL, "this room has as many aligners as it may have", now);
     return;
   }
   aligners_.push_back(from);
@@ -182,7 +183,7 @@ RoomSensor* Room::known_or_new_sensor(const std::string& name, RoomActions& out)
   if (added == nullptr) return nullptr;
   const KnownSensor* earlier = sensors_.remembered(name);
   const auto pose = earlier != nullptr ? earlier->pose : std::nullopt;
-  if (pose && recalls_poses_) added->pose = *pose;
+  if (pose && restores_poses_) added->pose = *pose;
   if (earlier == nullptr || earlier->id != added->id) {
     out.push_back(SaveSensors{{{name, added->id, pose}}});
   }

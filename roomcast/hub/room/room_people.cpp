@@ -29,7 +29,7 @@ RoomActions Room::take_people(ConnectionId from, const pb::PeopleHere& people, R
   RoomActions out;
   const auto change =
       remote_presence_.report(reporter, people, [this] { return ViewerId{next_viewer_id_++}; });
-  if (forget_people(change)) announce_in_time(now, out);
+  if (forget_people(change)) send_roster_when_due(now, out);
   return out;
 }
 

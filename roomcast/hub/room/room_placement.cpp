@@ -20,7 +20,7 @@ void Room::keep_bundle(RoomSensor& sensor, const pb::CalibrationBundle& bundle, 
   sensor.bundle_hash = std::hash<std::string>{}(bundle.SerializeAsString());
   if (sensor.pose.source == PoseSource::kStored && sensor.bundle_hash == sensor.verified_by) {
     confirm(sensor.pose);
-    announce(now, out);
+    send_roster(now, out);
   }
   pb::Control message;
   *message.mutable_calibration_bundle() = bundle;
@@ -51,7 +51,7 @@ void Room::lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out) {
   sensor.verified_by.reset();
   sensor.pose.state = PoseState::kMoved;
   sensor.valid_from_bundle = sensor.bundles + 1;
-  announce(now, out);
+  send_roster(now, out);
 }
 
 void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomActions& out) {
@@ -67,7 +67,7 @@ void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomA
         {sensor->name, sensor->id, pose.is_estimated() ? std::optional(pose) : std::nullopt});
   }
   if (!placed.empty()) out.push_back(SaveSensors{std::move(placed)});
-  announce(now, out);
+  send_roster(now, out);
 }
 
 /// Shows unplaced sensors in a row next to the placed ones.

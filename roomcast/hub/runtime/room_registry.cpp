@@ -43,7 +43,7 @@ RoomRegistry::RoomRegistry(RoomRegistryOptions options, boost::asio::io_context&
 // ---- rooms
 
 void RoomRegistry::open(const RoomSettings& settings, std::vector<KnownSensor> sensors) {
-  Room room(settings, options_.hub_version, options_.recalls_poses);
+  Room room(settings, options_.hub_version, options_.restores_poses);
   room.remember(std::move(sensors));
   RoomRunner::Context context{
       .io = io_,

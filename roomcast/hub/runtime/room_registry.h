@@ -34,7 +34,7 @@ namespace roomcast::hub {
 
 struct RoomRegistryOptions {
   std::string hub_version;
-  bool recalls_poses = true;  // restore poses estimated before the hub was started
+  bool restores_poses = true;  // restore poses estimated before the hub was started
   std::set<std::string> configured_rooms = {};  // opened at every start of the hub
   BanRules bans = {};
   std::vector<std::string> never_banned = {};  // proxies, which share one address for many clients

@@ -87,7 +87,7 @@ HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubStore> store,
   store_worker_ = std::make_unique<StoreWorker>(std::move(store), io());
   registry_ = std::make_unique<RoomRegistry>(
       RoomRegistryOptions{.hub_version = ROOMCAST_VERSION,
-                          .recalls_poses = options_.recalls_poses,
+                          .restores_poses = options_.restores_poses,
                           .configured_rooms = names_of(options_.rooms),
                           .bans = options_.limits.bans,
                           .never_banned = options_.limits.proxies,

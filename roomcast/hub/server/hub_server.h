@@ -47,7 +47,7 @@ struct HubOptions {
   std::vector<RoomSettings> rooms = {RoomSettings{}};
   /// Folder for rooms, tokens, sensor IDs and poses; without it they are lost when the hub ends.
   std::optional<std::filesystem::path> data_folder = {};
-  bool recalls_poses = true;  // restore estimated poses; only where an aligner verifies them
+  bool restores_poses = true;  // restore estimated poses; only where an aligner verifies them
   std::optional<std::filesystem::path> web_directory =
       {};  // the page to serve; without it "/" explains how to get one
   net::AllowedNames names = {};
