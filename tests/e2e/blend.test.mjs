@@ -24,9 +24,8 @@ async function makeRoom() {
       id,
       name: `s${id}`,
       online: true,
-      moved: false,
       calibration: { depth: lens },
-      worldFromDepth: at(x),
+      pose: { worldFromDepth: at(x), source: 'given', state: 'valid', expectedErrorMm: 0, note: '' },
     }));
     room.follow({ sensors, viewers: [] }, -1);
     room.setMode('blend');
