@@ -28,7 +28,7 @@ if(ROOMCAST_SANITIZE)
   target_link_options(roomcast_flags INTERFACE -fsanitize=${ROOMCAST_SANITIZE})
 endif()
 
-set(ROOMCAST_SOURCES_AT_A_TIME 10)
+set(ROOMCAST_SOURCES_AT_A_TIME 24)
 
 function(roomcast_compile_in_units target)
   if(ROOMCAST_UNITY_BUILD)

@@ -17,7 +17,7 @@ using Eigen::Vector3f;
 
 constexpr int kSpacing = 4;  // pixels
 constexpr int kRays = 48;
-constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
+constexpr float kPhaseTurn = 2.0F * std::numbers::pi_v<float>;
 constexpr std::array kHalfWaves_m = {1.875F, 1.25F};  // of light modulated at 80 and 120 MHz
 
 struct Node {
@@ -60,11 +60,11 @@ float detour_at(const Room& room, const RayScene& scene, const PlacedCamera& cam
     const float share = infrared * lit_by_camera(scene, camera, bounce) / kRays;
     const float way = hit->t + (bounce.position_m - camera.eye_m()).norm();
     for (std::size_t f = 0; f < light.size(); ++f)
-      light[f] += std::polar(share, kTurn * 0.5F * (way - direct_way) / kHalfWaves_m[f]);
+      light[f] += std::polar(share, kPhaseTurn * 0.5F * (way - direct_way) / kHalfWaves_m[f]);
   }
   float sum_m = 0.0F;
   for (std::size_t f = 0; f < light.size(); ++f)
-    sum_m += std::arg(light[f]) / kTurn * kHalfWaves_m[f];
+    sum_m += std::arg(light[f]) / kPhaseTurn * kHalfWaves_m[f];
   return std::max(0.0F, sum_m / static_cast<float>(light.size()));
 }
 
