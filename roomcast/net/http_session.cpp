@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <sstream>
 #include <string>
 #include <utility>
 
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/dispatch.hpp>
+#include <boost/asio/write.hpp>
 #include <boost/beast/http/error.hpp>
 #include <boost/beast/http/read.hpp>
-#include <boost/beast/http/span_body.hpp>
 #include <boost/beast/http/write.hpp>
 
 #include "roomcast/net/page_policy.h"
@@ -77,8 +78,7 @@ void choose_encoding(const RequestHeader& request, HttpResponse& response) {
   if (!response.etag.empty()) response.etag.insert(response.etag.size() - 1, "-gzip");
 }
 
-template <class Message>
-void set_fields(Message& message, const HttpResponse& response, bool keep_alive) {
+void set_fields(EmptyResponse& message, const HttpResponse& response, bool keep_alive) {
   message.keep_alive(keep_alive);
   message.set(http::field::server, "roomcast");
   message.set(http::field::cache_control, response.cache_control);
@@ -91,26 +91,12 @@ std::size_t size_of(const HttpResponse& response) {
   return response.body == nullptr ? 0 : response.body->size();
 }
 
-/// Header only: the answer to HEAD, and 304.
-std::shared_ptr<EmptyResponse> without_body(const HttpResponse& response, bool keep_alive) {
-  auto message = std::make_shared<EmptyResponse>(static_cast<http::status>(response.status), 11);
-  set_fields(*message, response, keep_alive);
+EmptyResponse header_of(const HttpResponse& response, bool keep_alive) {
+  EmptyResponse message(static_cast<http::status>(response.status), 11);
+  set_fields(message, response, keep_alive);
   if (response.status == 304 || response.status == 204) return message;
-  message->set(http::field::content_type, response.content_type);
-  message->content_length(size_of(response));
-  return message;
-}
-
-using BodyResponse = http::response<http::span_body<const char>>;
-
-std::shared_ptr<BodyResponse> with_body(const HttpResponse& response, bool keep_alive) {
-  auto message = std::make_shared<BodyResponse>(static_cast<http::status>(response.status), 11);
-  set_fields(*message, response, keep_alive);
-  message->set(http::field::content_type, response.content_type);
-  message->content_length(size_of(response));
-  if (response.body != nullptr) {
-    message->body() = beast::span<const char>(response.body->data(), response.body->size());
-  }
+  message.set(http::field::content_type, response.content_type);
+  message.content_length(size_of(response));
   return message;
 }
 
@@ -270,23 +256,29 @@ void HttpSession::send(HttpResponse response, bool keep_alive) {
   const auto& request = header();
   choose_encoding(request, response);
   if (response.status == 200 && has_it_already(request, response.etag)) response.status = 304;
+  const auto header = header_of(response, keep_alive);
   if (response.status == 304 || response.status == 204 || request.method() == http::verb::head) {
-    return write(without_body(response, keep_alive), keep_alive);
+    response.body = nullptr;
   }
-  auto message = with_body(response, keep_alive);
-  write(std::move(message), keep_alive, std::move(response.body));
+  write(header, std::move(response.body), [self = shared_from_this(), keep_alive](ErrorCode error) {
+    self->on_written(error, keep_alive);
+  });
 }
 
-/// The message's body refers to `viewed`, which is kept until the end of the write.
-template <class Message>
-void HttpSession::write(std::shared_ptr<Message> message, bool keep_alive,
-                        std::shared_ptr<const std::string> viewed) {
+/// Header and body are written as they lie in memory: beast's own serializer would be compiled for
+/// each kind of body, and takes longer than the rest of the library.
+void HttpSession::write(const EmptyResponse& header, std::shared_ptr<const std::string> body,
+                        std::function<void(ErrorCode)> on_written) {
   abort_after(options_->response_within);
-  auto& to_write = *message;
-  http::async_write(
-      stream_, to_write,
-      [self = shared_from_this(), message = std::move(message), viewed = std::move(viewed),
-       keep_alive](ErrorCode error, std::size_t) { self->on_written(error, keep_alive); });
+  std::ostringstream text;
+  text << header.base();
+  auto head = std::make_shared<const std::string>(std::move(text).str());
+  if (body == nullptr) body = std::make_shared<const std::string>();
+  const std::array buffers{asio::buffer(*head), asio::buffer(*body)};
+  asio::async_write(
+      stream_, buffers,
+      [head = std::move(head), body = std::move(body), on_written = std::move(on_written)](
+          ErrorCode error, std::size_t) { on_written(error); });
 }
 
 void HttpSession::on_written(ErrorCode error, bool keep_alive) {
@@ -317,16 +309,14 @@ void HttpSession::upgrade() {
   if (auto refusal = refuse_upgrade(request, options_->subprotocol, names)) {
     return send(*std::move(refusal), false);
   }
-  auto response = std::make_shared<EmptyResponse>(make_upgrade(request, options_->subprotocol));
-  abort_after(options_->response_within);
   // Once accepted, the connection counts as a WebSocket: its worker closes it when the server
   // stops.
   origins_.lease->end_with({});
-  http::async_write(stream_, *response,
-                    [self = shared_from_this(), response](ErrorCode error, std::size_t) {
-                      if (error || !self->stream_.is_open()) return self->abort();
-                      self->become_websocket();
-                    });
+  write(make_upgrade(request, options_->subprotocol), nullptr,
+        [self = shared_from_this()](ErrorCode error) {
+          if (error || !self->stream_.is_open()) return self->abort();
+          self->become_websocket();
+        });
 }
 
 void HttpSession::become_websocket() {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -59,9 +60,8 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void send(HttpResponse response, bool keep_alive);
   [[nodiscard]] const RequestHeader& header() const;
   [[nodiscard]] bool wants_more() const;
-  template <class Message>
-  void write(std::shared_ptr<Message> message, bool keep_alive,
-             std::shared_ptr<const std::string> viewed = nullptr);
+  void write(const EmptyResponse& header, std::shared_ptr<const std::string> body,
+             std::function<void(ErrorCode)> on_written);
   void on_written(ErrorCode error, bool keep_alive);
   void say_goodbye();
 
