@@ -55,3 +55,10 @@ build_web() {
   cd "$root/web"
   npm run build
 }
+
+# The page with all that it needs: the depth decoder and the npm packages.
+build_page() {
+  build_preset wasm
+  install_web_packages
+  build_web
+}

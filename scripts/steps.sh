@@ -4,6 +4,7 @@
 #
 #   plan 3                               three steps will follow
 #   step "Build the hub" make hub        runs the command, logs its output, prints one line with name and duration
+#   begin_step "Build the page" npm ...  the same beside the steps that follow; end_step waits for it
 #   fail "One sentence."                 ends the script with that sentence
 #
 # A step that fails ends the script with one sentence, the path of its log and the log's last lines.
@@ -78,4 +79,35 @@ step() {
   ((step_status == 0)) && return
   show_end_of_log
   fail "\"$1\" failed; the lines above are the end of ${step_log#"$root"/}."
+}
+
+# begin_step NAME COMMAND...: starts a step whose command runs beside the next ones. One at a time.
+# Its processes are a group of their own, which ends with the script.
+begin_step() {
+  background_name=$1 background_started=$SECONDS
+  shift
+  step_number=$((step_number + 1))
+  background_number=$step_number
+  background_log=$logs/$(basename "$script_name")-$step_number.log
+  printf '[%d/%d] %s, beside the next step ...\n' "$step_number" "$step_count" "$background_name"
+  set -m
+  (set -e; "$@") >"$background_log" 2>&1 &
+  background_group=$!
+  set +m
+  trap 'kill -- "-$background_group" 2>/dev/null' EXIT
+}
+
+# Waits for the command of begin_step; its failure ends the script.
+end_step() {
+  step_status=0
+  wait "$background_group" || step_status=$?
+  trap - EXIT
+  if ((step_status == 0)); then
+    printf '[%d/%d] %s done, %d s\n' "$background_number" "$step_count" "$background_name" \
+      $((SECONDS - background_started))
+    return
+  fi
+  step_log=$background_log
+  show_end_of_log
+  fail "\"$background_name\" failed; the lines above are the end of ${step_log#"$root"/}."
 }
