@@ -67,8 +67,13 @@ export async function run(...args) {
 
 /** Starts a hub on a free port, with a state of its own; it is stopped when the test `t` ends. */
 export async function startHub(t, ...options) {
+  return startHubThrough(t, [], ...options);
+}
+
+/** The same; `through` is a command that runs the hub. */
+export async function startHubThrough(t, through, ...options) {
   const data = options.includes('--data') ? [] : ['--data', scratchFolder(t)];
-  const hub = new Program(['hub', '--listen', '127.0.0.1:0', ...data, ...options]);
+  const hub = new Program(['hub', '--listen', '127.0.0.1:0', ...data, ...options], { through });
   t.after(() => hub.stop('SIGKILL'));
   const port = await hub.port();
   return { program: hub, port, url: `ws://127.0.0.1:${port}` };

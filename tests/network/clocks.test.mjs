@@ -7,12 +7,15 @@ import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { test } from 'node:test';
 
-import { scratchFolder, startHub } from '../cli/program.mjs';
+import { scratchFolder, startHubThrough } from '../cli/program.mjs';
 import { RoomClient } from './room_client.mjs';
 import { startSensor } from './rooms.mjs';
 import { writeSmallRig, writeSmallRigTimedAs } from './small_rig.mjs';
 
-const aheadOfHub_s = [0, 90_000, -7_000, 3_456_789];
+// Ahead of this machine, whose clock began when it was started: no clock can show a time before that. The hub's clock is
+// between those of its sensors.
+const hubAhead_s = 7_000;
+const sensorsAhead_s = [7_000, 97_000, 0, 3_463_789];
 const data = process.env.ROOMCAST_DATA ?? fileURLToPath(new URL('../../../shared/data', import.meta.url));
 const house = `${data}/house3`;
 
@@ -46,10 +49,10 @@ async function witnessOf(t, hub, sensors, sets) {
 
 test('sensors_whose_clocks_are_days_apart_stamp_room_time', { skip: noOtherHosts }, async (t) => {
   const fps = 10;
-  const hub = await startHub(t);
+  const hub = await startHubThrough(t, onHostAhead(hubAhead_s));
   const rig = writeSmallRig(scratchFolder(t), { fps });
-  await Promise.all(aheadOfHub_s.map((ahead, n) => startSensor(t, hub.url, rig, n, { through: onHostAhead(ahead) })));
-  const { witness, ids } = await witnessOf(t, hub, aheadOfHub_s.length, 40);
+  await Promise.all(sensorsAhead_s.map((ahead, n) => startSensor(t, hub.url, rig, n, { through: onHostAhead(ahead) })));
+  const { witness, ids } = await witnessOf(t, hub, sensorsAhead_s.length, 40);
 
   // A recording is played so that its frames are due at whole tenths of a second of its host's clock, and the hosts'
   // clocks are whole seconds apart: the remainder is the error.
@@ -70,9 +73,9 @@ const noRealTimes = existsSync(house) ? noOtherHosts : `no recordings at ${data}
 test('sensors_that_drift_and_drop_frames_at_seconds_apart_line_up', { skip: noRealTimes }, async (t) => {
   const period_ms = 1000 / 30;
   const jitter_ms = 2; // of that recording's stamps
-  const hub = await startHub(t);
+  const hub = await startHubThrough(t, onHostAhead(hubAhead_s));
   const rig = writeSmallRigTimedAs(house, scratchFolder(t));
-  await Promise.all([0, 1, 2].map((n) => startSensor(t, hub.url, rig, n, { through: onHostAhead(aheadOfHub_s[n]) })));
+  await Promise.all([0, 1, 2].map((n) => startSensor(t, hub.url, rig, n, { through: onHostAhead(sensorsAhead_s[n]) })));
   const { witness, ids } = await witnessOf(t, hub, 3, 90);
   const skews = skews_ms(witness, ids);
   const [median, worst] = [percentile(skews, 0.5).toFixed(1), Math.max(...skews).toFixed(1)];
