@@ -10,12 +10,10 @@
 #include <fmt/format.h>
 
 #include "roomcast/alignment/alignment_options.h"
-#include "roomcast/alignment/homography/homography_pose.h"
-#include "roomcast/alignment/rig/rig_aligner.h"
 #include "roomcast/cli/alignment_text.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/pair_list.h"
-#include "roomcast/cli/recorded_bundles.h"
+#include "roomcast/cli/recorded_alignment.h"
 #include "roomcast/cli/recorded_views.h"
 #include "roomcast/cli/rig_poses.h"
 #include "roomcast/cli/status_line.h"
@@ -30,43 +28,6 @@ struct AlignOptions {
   bool json = false, verbose = false, write = false;
   alignment::AlignmentOptions stages;
 };
-
-alignment::AlignmentReport align_views(const std::vector<SharedView>& views,
-                                       const AlignOptions& options,
-                                       const alignment::AlignProgress& progress) {
-  if (options.method == "homography")
-    return alignment::align_by_homography(views, options.stages.homography);
-  alignment::RigAligner aligner(options.stages.rig);
-  for (const SharedView& view : views) aligner.add(view);
-  return aligner.solve(progress);
-}
-
-alignment::SensorReport unusable_sensor(const std::string& name, const Error& error) {
-  alignment::SensorReport report;
-  report.id = name;
-  report.reason = error.message;
-  return report;
-}
-
-Result<alignment::AlignmentReport> align_rig(const AlignOptions& options, StatusLine& line) {
-  const auto bundles = read_rig_bundles(
-      options.recording, [&](const std::string& what) { line.show(what); }, options.stages.bundle);
-  if (!bundles) return bundles.error();
-  std::vector<SharedView> views;
-  std::vector<alignment::SensorReport> unusable;
-  for (const RecordedBundle& recorded : *bundles) {
-    line.show("finding features of " + recorded.name);
-    auto view = view_of(recorded, options.stages.view);
-    view ? views.push_back(*view)
-         : unusable.push_back(unusable_sensor(recorded.name, view.error()));
-  }
-  alignment::AlignmentReport report =
-      align_views(views, options, [&](std::string_view step, double done) {
-        line.show(fmt::format("{:3.0f} %  {}", 100 * done, step));
-      });
-  report.sensors.insert(report.sensors.end(), unusable.begin(), unusable.end());
-  return report;
-}
 
 alignment::PairReport align_pair(const ListedPair& pair, const AlignOptions& options,
                                  FrameViews& frames) {
@@ -84,7 +45,7 @@ alignment::PairReport align_pair(const ListedPair& pair, const AlignOptions& opt
     }
     views.push_back(*view);
   }
-  return align_views(views, options, {}).pairs.at(0);
+  return align_views(views, options.method, options.stages, {}).pairs.at(0);
 }
 
 Result<alignment::AlignmentReport> align_pairs(const AlignOptions& options, StatusLine& line) {
@@ -126,7 +87,10 @@ std::string text_of(const alignment::AlignmentReport& report, const AlignOptions
 Status run_align(const AlignOptions& options) {
   if (Status status = check_recording(options); !status) return status;
   StatusLine line;
-  const auto report = options.pairs.empty() ? align_rig(options, line) : align_pairs(options, line);
+  const auto show = [&line](const std::string& what) { line.show(what); };
+  const auto report = options.pairs.empty()
+                          ? align_recording(options.recording, options.method, options.stages, show)
+                          : align_pairs(options, line);
   if (!report) return report.error();
   if (options.write) {
     if (Status written = write_rig_poses(options.recording, *report); !written) return written;
