@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/codec/sensor_motion.h"
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace roomcast::codec {
 namespace {
 
-constexpr int kSide = 8;          // of a block, pixels
-constexpr int kPixelStep = 2;     // every second pixel is read, in both directions
-constexpr int kMinReadings = 12;  // of 16
-constexpr int kRegions = 4;       // in a row, and in a column
-constexpr float kMinChange_mm = 6, kMinChangeShare = 0.004f;  // of the distance
-constexpr double kMovingBlocks = 0.25;                        // share of a region's known blocks
-constexpr double kMinKnown = 0.125;  // share of a region's blocks; a region with fewer is ignored
+constexpr int kSide = 8;               // of a block, pixels
+constexpr int kPixelStep = 2;          // every second pixel is read, in both directions
+constexpr int kMinReadings = 12;       // of 16
+constexpr int kRegions = 4;            // in a row, and in a column
+constexpr float kMinNoise_mm = 4;      // of a change; a sensor with less shakes by as much
+constexpr float kFarBeyondNoise = 2;   // in standard deviations of a change by noise
+constexpr double kMovingBlocks = 0.3;  // share of a region's known blocks
+constexpr double kCoherent = 0.3;      // mean change of a region's blocks, in standard deviations
+constexpr double kMinKnown = 0.125;    // share of a region's blocks; a region with fewer is ignored
 constexpr double kBegins = 0.6, kEnds = 0.4;  // share of the known regions
 constexpr int kFramesToBegin = 3, kFramesToEnd = 12;
 
@@ -29,13 +31,20 @@ float mean_of_block(DepthView depth_mm, int x0, int y0) {
   return count < kMinReadings ? 0.0f : static_cast<float>(sum) / static_cast<float>(count);
 }
 
-/// Numbers of a region's blocks with readings in both frames, and of those that moved.
-struct Count {
+/// The blocks of a region that have readings in both frames.
+struct RegionChange {
   int known = 0, moved = 0;
-  void add(float now_mm, float before_mm) {
-    if (now_mm == 0 || before_mm == 0) return;
+  double sum = 0;  // of changes, in standard deviations, without outliers
+
+  void add(float change) {
     ++known;
-    moved += std::abs(now_mm - before_mm) > kMinChange_mm + kMinChangeShare * now_mm;
+    moved += std::abs(change) > kFarBeyondNoise;
+    sum += std::clamp(change, -kFarBeyondNoise, kFarBeyondNoise);
+  }
+  /// Either many blocks change by more than noise, or all of them a little, in the same direction:
+  /// noise averages out.
+  [[nodiscard]] bool moves() const {
+    return moved >= kMovingBlocks * known || std::abs(sum) >= kCoherent * known;
   }
 };
 
@@ -44,36 +53,44 @@ struct Count {
 bool SensorMotion::update(DepthView depth_mm) {
   blocks_wide_ = depth_mm.width / kSide;
   blocks_high_ = depth_mm.height / kSide;
+  ++frame_;
   measure(depth_mm);
-  Means& before = before_[frame_++ % kFramesBack];
-  if (!before.empty()) decide(moving_share(before));
-  std::swap(before, now_);
+  if (!means(2).empty()) noise_.learn({means(0), means(1), means(2)});
+  if (!means(kFramesBack).empty()) decide(moving_share());
   return moves_;
 }
 
 void SensorMotion::measure(DepthView depth_mm) {
-  now_.resize(static_cast<std::size_t>(blocks_wide_) * static_cast<std::size_t>(blocks_high_));
-  auto mean = now_.begin();
+  Means& now = means_[frame_ % kKept];
+  now.resize(static_cast<std::size_t>(blocks_wide_) * static_cast<std::size_t>(blocks_high_));
+  auto mean = now.begin();
   for (int y = 0; y < blocks_high_; ++y) {
     for (int x = 0; x < blocks_wide_; ++x) *mean++ = mean_of_block(depth_mm, x * kSide, y * kSide);
   }
 }
 
-double SensorMotion::moving_share(const Means& before) const {
-  std::array<Count, kRegions * kRegions> regions;
+float SensorMotion::change(float now_mm, float before_mm) const {
+  const float noise_mm = std::sqrt(2.0f) * noise_.sigma_mm(before_mm);
+  return (now_mm - before_mm) / std::max(kMinNoise_mm, noise_mm);
+}
+
+double SensorMotion::moving_share() const {
+  const Means &now = means(0), &before = means(kFramesBack);
+  std::array<RegionChange, kRegions * kRegions> regions;
   for (int y = 0; y < blocks_high_; ++y) {
     for (int x = 0; x < blocks_wide_; ++x) {
       const auto block = static_cast<std::size_t>(y * blocks_wide_ + x);
+      if (now[block] == 0 || before[block] == 0) continue;
       const int region = y * kRegions / blocks_high_ * kRegions + x * kRegions / blocks_wide_;
-      regions[static_cast<std::size_t>(region)].add(now_[block], before[block]);
+      regions[static_cast<std::size_t>(region)].add(change(now[block], before[block]));
     }
   }
-  const double least = kMinKnown * static_cast<double>(now_.size()) / regions.size();
+  const double least = kMinKnown * static_cast<double>(now.size()) / regions.size();
   int known = 0, moving = 0;
-  for (const Count& region : regions) {
+  for (const RegionChange& region : regions) {
     if (region.known == 0 || region.known < least) continue;
     ++known;
-    moving += region.moved >= kMovingBlocks * region.known;
+    moving += region.moves();
   }
   return known ? static_cast<double>(moving) / known : 0;
 }

@@ -86,11 +86,12 @@ void BlockPlanner::begin_frame(bool reference) {
   labelled_blocks_ = 0;
 }
 
-void BlockPlanner::plan(const BlockView& here, bool drifts, BlockCode& code, BlockTarget& target) {
+void BlockPlanner::plan(const BlockView& here, BlockDrift drift, BlockCode& code,
+                        BlockTarget& target) {
   code.mode = BlockMode::kSkip;
 
-  if (urgency(here, drifts) >= min_urgency()) {
-    if (plan_labels(here, drifts, code, target)) {
+  if (urgency(here, drift) >= min_urgency()) {
+    if (plan_labels(here, drift, code, target)) {
       code.mode = BlockMode::kLabels;
       ++labelled_blocks_;
     }
@@ -106,30 +107,32 @@ int BlockPlanner::min_urgency() const {
   return reference_ ? kMinUrgency : kMinUrgencyNonReference;
 }
 
-int BlockPlanner::urgency(const BlockView& here, bool drifts) const {
+int BlockPlanner::urgency(const BlockView& here, BlockDrift drift) const {
   const int columns = here.columns(), rows = here.rows();
+  const unsigned reasons = drift.shares_noise ? kAllChanges & ~unsigned{kBiased} : kAllChanges;
   int urgency = 0;
   for (int y = 0; y < rows; ++y) {
     const std::uint16_t* flags = &change_.flags[here.row(y)];
-    if (!drifts && columns == kBlockSide && all_zero(flags)) continue;
+    if (!drift.drifts && columns == kBlockSide && all_zero(flags)) continue;
     const std::uint16_t* close = &change_.close[here.row(y)];
     for (int x = 0; x < columns; ++x) {
       if (flags[x] & kPersistent) {
         if (reference_) urgency += flags[x] & kOverdue ? kMinUrgency : kPersistentUrgency;
       } else {
-        urgency += flags[x] != 0 || (drifts && close[x]);
+        urgency += (flags[x] & reasons) != 0 || (drift.drifts && close[x]);
       }
     }
   }
   return urgency;
 }
 
-bool BlockPlanner::plan_labels(const BlockView& here, bool drifts, BlockCode& code,
+bool BlockPlanner::plan_labels(const BlockView& here, BlockDrift drift, BlockCode& code,
                                BlockTarget& target) {
   code.labels.fill(PixelLabel::kUnchanged);
   target.fill(0);
   here.for_each_pixel([&](const BlockPixel& p) {
-    const bool biased = change_.flags[p.at] == kBiased || (drifts && change_.close[p.at]);
+    const bool biased = (change_.flags[p.at] == kBiased && !drift.shares_noise) ||
+                        (drift.drifts && change_.close[p.at]);
     target[p.k] = change_.reading[p.at];
     code.labels[p.k] = label_of(p, biased);
   });

@@ -27,7 +27,7 @@ class BlockPlanner {
   void begin_frame(bool reference);
   /// Sets code.mode; with kLabels code.labels (surfaces as kFirst) and
   /// `target`; with kRefine code.refinement.
-  void plan(const BlockView& here, bool drifts, BlockCode& code, BlockTarget& target);
+  void plan(const BlockView& here, BlockDrift drift, BlockCode& code, BlockTarget& target);
   /// Call after coding a block of a reference frame; `before` contains its previous levels. Returns
   /// whether a large part of the block moved.
   bool coded(const BlockView& here, const BlockCode& code,
@@ -35,8 +35,8 @@ class BlockPlanner {
 
  private:
   [[nodiscard]] int min_urgency() const;
-  [[nodiscard]] int urgency(const BlockView& here, bool drifts) const;
-  [[nodiscard]] bool plan_labels(const BlockView& here, bool drifts, BlockCode& code,
+  [[nodiscard]] int urgency(const BlockView& here, BlockDrift drift) const;
+  [[nodiscard]] bool plan_labels(const BlockView& here, BlockDrift drift, BlockCode& code,
                                  BlockTarget& target);
   [[nodiscard]] PixelLabel label_of(const BlockPixel& pixel, bool biased) const;
   [[nodiscard]] PixelLabel label_of_missing(const BlockPixel& pixel) const;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,13 @@ using SigmaCodes = std::array<std::uint8_t, kSigmaKnotCount>;
 /// Distance of a knot: four per octave from 256 mm to 65536 mm.
 [[nodiscard]] constexpr int sigma_knot_mm(int knot) {
   return (4 + knot % 4) << (6 + knot / 4);
+}
+
+/// The largest knot not above `depth_mm`; readings nearer than the first knot count as the first.
+[[nodiscard]] constexpr int sigma_knot_of(int depth_mm) {
+  if (depth_mm < sigma_knot_mm(0)) return 0;
+  const int octave = static_cast<int>(std::bit_width(static_cast<unsigned>(depth_mm))) - 9;
+  return 4 * octave + ((depth_mm >> (octave + 6)) & 3);
 }
 
 /// Standard deviation in 1/256 mm, from 1/16 mm to 3968 mm.

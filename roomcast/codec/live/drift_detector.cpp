@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "roomcast/core/vector_loop.h"
 
@@ -14,13 +15,31 @@ constexpr int kMinSamples = 10;         // of 16 pixels
 constexpr float kNewest = 0.3f;         // weight of the newest frame
 constexpr float kNewestLately = 0.45f;  // the same for a block that moved lately
 constexpr std::uint8_t kLately_frames = 4;
-constexpr float kMaxPatchOffset = 0.9f, kMaxBlockOffset = 0.3f;  // in sigmas of a pixel's noise
+// In sigmas of a pixel's noise; enough where pixels share no noise.
+constexpr float kMaxPatchOffset = 0.9f, kMaxBlockOffset = 0.3f;
+// With shared noise: five standard deviations of the running average, whose noise is 0.37 times
+// the mean change of an offset from frame to frame (Gaussian, kNewest).
+constexpr float kOffsetPerChange = 5 * 0.37f;
+constexpr float kMostOffset = 3;  // more than that is a jump of pixels
+
+// Mean changes where pixels share no noise: means of 16 and of 64 pixels.
+constexpr float kPatchChange = 0.28f, kBlockChange = 0.14f;
+constexpr float kMostChange = 2;        // of a sample; larger ones are motion
+constexpr float kNewestChange = 0.06f;  // weight of the newest frame; the first ones have more
+constexpr float kPriorFrames = 4;       // what is expected counts as so many frames
+// A few pixels' offset is noise where patches change more than that.
+constexpr float kSharedPatchChange = 0.45f;
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 struct Columns {
   std::int16_t* off;
   std::uint16_t* close;
   std::uint16_t* deviation;
 };
+
+float limit(float least, float change) {
+  return std::clamp(kOffsetPerChange * change, least, kMostOffset);
+}
 
 ROOMCAST_VECTOR_CLONES
 void add_row(const std::int16_t* off, const std::uint16_t* close, const std::uint16_t* deviation,
@@ -45,6 +64,10 @@ void DriftDetector::resize(const BlockGrid& grid) {
   column_close_.assign(padded, 0);
   column_deviation_.assign(padded, 0);
   offset_.assign(4 * grid.block_count(), 0);
+  newest_.assign(4 * grid.block_count(), kUnknown);
+  before_ = newest_;
+  patch_change_.assign(4 * grid.block_count(), kPatchChange);
+  block_change_.assign(grid.block_count(), kBlockChange);
   frames_since_motion_.assign(grid.block_count(), kLately_frames);
 }
 
@@ -52,10 +75,15 @@ void DriftDetector::update(const FrameChange& change, const PixelHistory& histor
   for (std::uint8_t& frames : frames_since_motion_) {
     frames = std::min<std::uint8_t>(kLately_frames, frames + 1);
   }
+  ++frames_;
+  newest_weight_ = std::max(kNewestChange, 1 / (kPriorFrames + static_cast<float>(frames_)));
+  std::swap(newest_, before_);
+  std::fill(newest_.begin(), newest_.end(), kUnknown);
   for (int y = 0; y < grid_.height; y += kPatchSide) {
     add_up_rows(change, history, y);
     for (int x = 0; x < grid_.width; x += kPatchSide) update_patch(x / kPatchSide, y / kPatchSide);
   }
+  for (std::size_t block = 0; block < grid_.block_count(); ++block) learn_noise(block);
 }
 
 void DriftDetector::add_up_rows(const FrameChange& change, const PixelHistory& history, int y) {
@@ -79,25 +107,44 @@ void DriftDetector::update_patch(int patch_x, int patch_y) {
   }
   if (close < kMinSamples) return;
   const std::size_t block = grid_.block(patch_x / 2, patch_y / 2);
-  float& offset = offset_[4 * block + static_cast<std::size_t>(patch_x % 2 + 2 * (patch_y % 2))];
+  const std::size_t patch = 4 * block + static_cast<std::size_t>(patch_x % 2 + 2 * (patch_y % 2));
   // The mean absolute value of Gaussian noise is 4/5 of its standard deviation.
   const float sigma = std::max(static_cast<float>(kLevelsPerSigma),
                                static_cast<float>(deviation) * (1.25f / (1 << kNoiseShift) / 16));
-  offset += (static_cast<float>(off) / static_cast<float>(close) / sigma - offset) *
-            (frames_since_motion_[block] < kLately_frames ? kNewestLately : kNewest);
+  newest_[patch] = static_cast<float>(off) / static_cast<float>(close) / sigma;
+  offset_[patch] += (newest_[patch] - offset_[patch]) *
+                    (frames_since_motion_[block] < kLately_frames ? kNewestLately : kNewest);
 }
 
-bool DriftDetector::drifts(std::size_t block) const {
-  float sum = 0, largest = 0;
+void DriftDetector::learn_noise(std::size_t block) {
+  float sum = 0;
+  for (std::size_t patch = 4 * block; patch < 4 * block + 4; ++patch) {
+    const float change = newest_[patch] - before_[patch];
+    sum += change;
+    if (std::isnan(change)) continue;
+    patch_change_[patch] +=
+        newest_weight_ * (std::min(std::abs(change), kMostChange) - patch_change_[patch]);
+  }
+  if (std::isnan(sum)) return;
+  float& of_block = block_change_[block];
+  of_block += newest_weight_ * (std::min(std::abs(sum) / 4, kMostChange) - of_block);
+}
+
+BlockDrift DriftDetector::of(std::size_t block) const {
+  BlockDrift drift;
+  float sum = 0;
   for (std::size_t patch = 4 * block; patch < 4 * block + 4; ++patch) {
     sum += offset_[patch];
-    largest = std::max(largest, std::abs(offset_[patch]));
+    drift.drifts |= std::abs(offset_[patch]) > limit(kMaxPatchOffset, patch_change_[patch]);
+    drift.shares_noise |= patch_change_[patch] > kSharedPatchChange;
   }
-  return largest > kMaxPatchOffset || std::abs(sum) > 4 * kMaxBlockOffset;
+  drift.drifts |= std::abs(sum) > 4 * limit(kMaxBlockOffset, block_change_[block]);
+  return drift;
 }
 
 void DriftDetector::reset(std::size_t block) {
   std::fill_n(offset_.begin() + static_cast<std::ptrdiff_t>(4 * block), 4, 0.0f);
+  std::fill_n(newest_.begin() + static_cast<std::ptrdiff_t>(4 * block), 4, kUnknown);
 }
 
 void DriftDetector::expect_motion(std::size_t block) {

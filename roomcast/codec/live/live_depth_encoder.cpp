@@ -165,7 +165,7 @@ std::uint32_t LiveDepthEncoder::encode_changes(LiveWriter& writer, bool referenc
 }
 
 void LiveDepthEncoder::encode_block(Pass& pass, const BlockView& here, bool reference) {
-  planner_.plan(here, drift_.drifts(here.index()), code_, target_);
+  planner_.plan(here, drift_.of(here.index()), code_, target_);
   if (code_.mode == BlockMode::kLabels) prepare_surfaces(pass, here, options_.step);
   if (code_.mode == BlockMode::kSkip || !reference) return pass.block(here, code_);
   std::array<std::uint16_t, kBlockPixels> before{};

@@ -23,6 +23,8 @@ enum ChangeFlag : std::uint16_t {
   kOverdue = 32      // changed for too long: code it even if it is alone
 };
 
+inline constexpr unsigned kAllChanges = 63;
+
 inline constexpr int kMaxMissingFrames = 6;  // for which a vanished reading is kept
 inline constexpr int kNoiseShift = 4;        // fraction bits of PixelHistory::deviation
 inline constexpr int kMaxSamples = 64;       // at this count, sum and count are halved

@@ -2,7 +2,6 @@
 #include "roomcast/codec/live/sensor_noise.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdlib>
 
@@ -14,13 +13,6 @@ constexpr int kHalfLife_frames = 45;        // short, because a sensor warms up 
 constexpr double kTrim = 3.5;               // standard deviations
 constexpr double kMinSigma_mm = 0.25;
 constexpr double kStepWeight = 0.5;  // of a quantisation step, as noise: a plane is read as stairs
-
-/// The largest knot not above `depth_mm`; readings nearer than the first knot count as the first.
-int knot_of(int depth_mm) {
-  if (depth_mm < sigma_knot_mm(0)) return 0;
-  const int octave = static_cast<int>(std::bit_width(static_cast<unsigned>(depth_mm))) - 9;
-  return 4 * octave + ((depth_mm >> (octave + 6)) & 3);
-}
 
 /// Standard deviation of the differences in a histogram of their sizes, without outliers.
 template <class Histogram>
@@ -92,7 +84,7 @@ void SensorNoise::observe_row(const std::uint16_t* row, const std::uint16_t* bef
   for (int x = 1; x < width - 1; ++x) {
     const int z = row[x];
     if (z == 0) continue;
-    const auto knot = static_cast<std::size_t>(knot_of(z));
+    const auto knot = static_cast<std::size_t>(sigma_knot_of(z));
     seen_mm_[static_cast<std::size_t>(z)] = 1;
     if (before[x] != 0) {
       const auto change = static_cast<std::size_t>(std::abs(z - before[x]));
