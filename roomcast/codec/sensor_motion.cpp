@@ -17,7 +17,7 @@ constexpr double kMovingBlocks = 0.3;  // share of a region's known blocks
 constexpr double kCoherent = 0.3;      // mean change of a region's blocks, in standard deviations
 constexpr double kMinKnown = 0.125;    // share of a region's blocks; a region with fewer is ignored
 constexpr double kBegins = 0.6, kEnds = 0.4;  // share of the known regions
-constexpr int kFramesToBegin = 3, kFramesToEnd = 12;
+constexpr int kFramesToBegin = 3, kFramesToEnd = 11;
 
 float mean_of_block(DepthView depth_mm, int x0, int y0) {
   int sum = 0, count = 0;

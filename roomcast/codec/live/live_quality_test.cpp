@@ -12,6 +12,7 @@
 #include "roomcast/codec/live/live_depth_encoder.h"
 #include "roomcast/codec/live/surface_coder.h"
 #include "roomcast/codec/payload/layer_schedule.h"
+#include "roomcast/codec/testing/rough_sensor.h"
 #include "roomcast/codec/testing/synthetic_motion.h"
 
 namespace roomcast::codec {
@@ -56,6 +57,31 @@ TEST(LiveQuality, static_surfaces_are_better_than_the_sensors_readings) {
     return truth.at(x, y) == before.at(x, y);
   };
   EXPECT_LT(error_ratio({}, 60, still), 0.6);
+}
+
+TEST(LiveQuality, noise_that_neighbours_share_is_neither_shown_nor_sent) {
+  constexpr int kFrames = 90, kLearnt = 45;
+  RoughSensor sensor;
+  const DepthImage truth = sensor.truth();
+  LiveDepthEncoder encoder({sensor.width, sensor.height});
+  LayerSchedule schedule(2, 1000);
+  ErrorRatio ratio;
+  std::size_t sent = 0;
+  for (int i = 0; i < kFrames; ++i) {
+    std::vector<std::uint8_t> bytes;
+    const DepthImage reading = sensor.reading();
+    encoder.encode(reading, schedule.next(false), bytes);
+    if (i < kLearnt) continue;
+    sent += bytes.size();
+    for (std::size_t k = 0; k < truth.view().pixel_count(); ++k) {
+      const int raw = reading.data()[k] - truth.data()[k];
+      const int shown = encoder.shown_mm().data[k] - truth.data()[k];
+      ratio.raw += raw * raw;
+      ratio.shown += shown * shown;
+    }
+  }
+  EXPECT_LT(ratio.value(), 0.6);
+  EXPECT_LT(sent / (kFrames - kLearnt), 600u);
 }
 
 TEST(LiveQuality, moving_surfaces_are_no_worse_than_the_sensors_readings) {
