@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "bench/codec/back_and_forth_input.h"
 #include "bench/codec/recorded_input.h"
 #include "bench/codec/simulated_input.h"
 #include "roomcast/recording/dataset/recording.h"
@@ -42,15 +43,21 @@ Result<std::unique_ptr<BenchInput>> open_rig(const std::string& place) {
                              fs::path(directory) / "truth" / sensor);
 }
 
+Result<std::unique_ptr<BenchInput>> open_recording(const std::string& source) {
+  if (starts_with(source, "rig:")) return open_rig(source.substr(4));
+  const bool is_tum = starts_with(source, "tum:");
+  return open_recorded_input(source, is_tum ? fs::path(source.substr(4)) / "truth" : fs::path());
+}
+
 }  // namespace
 
 Result<std::unique_ptr<BenchInput>> open_bench_input(const std::string& input,
                                                      const BenchInputOptions& options) {
   const std::string source = source_of(input);
-  if (starts_with(source, "rig:")) return open_rig(source.substr(4));
   if (is_simulator(source)) return open_simulated_input(source, options);
-  const bool is_tum = starts_with(source, "tum:");
-  return open_recorded_input(source, is_tum ? fs::path(source.substr(4)) / "truth" : fs::path());
+  auto recording = open_recording(source);
+  if (!recording.ok() || options.back_and_forth_fps == 0) return recording;
+  return play_back_and_forth(std::move(*recording), options.back_and_forth_fps);
 }
 
 }  // namespace roomcast::bench

@@ -30,6 +30,8 @@ struct BenchTruth {
   // codec can remove noise, but not these errors, which are the same in every frame.
   DepthImage noise_free_mm;
   ColorImage color;  // see ColorReference; empty without colour
+  // The median of what stands still; empty: unknown (back_and_forth_input.h).
+  DepthImage still_mm;
 };
 
 class BenchInput {
@@ -47,6 +49,8 @@ struct BenchInputOptions {
   int sim_sensor_count = 3;
   std::uint64_t sim_seed = 1;
   double sim_speed = 1;  // speed factor of all motion; 0: static
+  // Plays a recording forward and backward at this rate without an end; 0: once, at its own rate.
+  double back_and_forth_fps = 0;
 };
 
 /// kInvalidArgument: INPUT has none of the forms above. Errors of the source.

@@ -26,6 +26,10 @@ DepthQuality quality_of(const DepthError& error, double frames) {
     quality.rms_noise_free_slow_mm = error.rms_noise_free_mm(Motion::kSlow);
     quality.rms_noise_free_moving_mm = error.rms_noise_free_mm(Motion::kMoving);
   }
+  if (error.has_still()) {
+    quality.rms_still_mm = error.rms_still_mm();
+    quality.rms_still_input_mm = error.rms_still_input_mm();
+  }
   quality.outliers_20mm = static_cast<double>(error.outliers()) / frames;
   quality.lost = static_cast<double>(error.lost()) / frames;
   quality.extra = static_cast<double>(error.extra()) / frames;
@@ -46,9 +50,9 @@ Status Candidate::run(const BenchFrame& frame, const BenchTruth& truth,
   now.key = key;
   now.cost = *cost;
   if (!decoded_.depth_mm.empty()) {
-    const DepthTruth depth_truth = truth.depth_mm.empty()
-                                       ? DepthTruth{}
-                                       : DepthTruth{truth.depth_mm, motion, truth.noise_free_mm};
+    DepthTruth depth_truth;
+    if (!truth.depth_mm.empty()) depth_truth = {truth.depth_mm, motion, truth.noise_free_mm};
+    if (!truth.still_mm.empty()) depth_truth.still_mm = truth.still_mm;
     now.depth.add(decoded_.depth_mm, frame.depth_mm, depth_truth);
   }
   if (!decoded_.color.empty()) compare_color(frame, truth, now);

@@ -36,6 +36,8 @@ struct DepthQuality {
   std::optional<double> rms_truth_mm, rms_truth_static_mm, rms_truth_slow_mm, rms_truth_moving_mm;
   // Against the noise-free reading, which is the best that a codec can restore.
   std::optional<double> rms_noise_free_static_mm, rms_noise_free_slow_mm, rms_noise_free_moving_mm;
+  // Against the median of still surfaces, of the output and of the input (measure/depth_error.h).
+  std::optional<double> rms_still_mm, rms_still_input_mm;
   // Per frame, against the truth where it is known, else against the input.
   double outliers_20mm = 0;
   // Readings per frame that only the input has, and that only the output has.

@@ -27,6 +27,8 @@ void add_depth(const std::optional<DepthQuality>& depth, ordered_json& json) {
   json["rms_noise_free_static_mm"] = or_null(quality.rms_noise_free_static_mm);
   json["rms_noise_free_slow_mm"] = or_null(quality.rms_noise_free_slow_mm);
   json["rms_noise_free_moving_mm"] = or_null(quality.rms_noise_free_moving_mm);
+  json["rms_still_mm"] = or_null(quality.rms_still_mm);
+  json["rms_still_input_mm"] = or_null(quality.rms_still_input_mm);
   json["outliers_20mm"] = if_depth(quality.outliers_20mm);
   json["lost"] = if_depth(quality.lost);
   json["extra"] = if_depth(quality.extra);
@@ -107,6 +109,14 @@ void put_row(std::ostream& out, const CodecBenchRow& row) {
   out << "\n";
 }
 
+/// The error on what stands still, where it is known.
+void put_still_error(std::ostream& out, const CodecBenchRow& row) {
+  if (!row.depth || !row.depth->rms_still_mm) return;
+  out << row.codec << " " << row.mode << ": RMS to the median of still surfaces"
+      << std::setprecision(2) << std::fixed << " " << *row.depth->rms_still_mm
+      << " mm, of the input " << *row.depth->rms_still_input_mm << " mm\n";
+}
+
 }  // namespace
 
 void print_json(const CodecBenchReport& report, std::ostream& out) {
@@ -144,6 +154,7 @@ void print_table(const CodecBenchReport& report, std::ostream& out) {
       << "codec        mode        B/frame    bpp  B/frame    MB/s  encode  decode     rms   max  "
          "   rms static  slow moving static  slow moving  /frame /frame   shown surface   all\n";
   for (const CodecBenchRow& row : report.rows) put_row(out, row);
+  for (const CodecBenchRow& row : report.rows) put_still_error(out, row);
 }
 
 }  // namespace roomcast::bench

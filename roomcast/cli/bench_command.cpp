@@ -69,6 +69,11 @@ void add_codec_bench(CLI::App& bench, Command& chosen) {
                    "Speed of motion in a simulated room: 1 is real time")
       ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
+  command
+      ->add_option("--back-and-forth", options->simulator.back_and_forth_fps,
+                   "Play a recording forward and backward at this many frames per second, until "
+                   "--frames; also measures depth errors on what stands still")
+      ->check(CLI::Range(1.0, 60.0));
   command->add_flag("--json", options->json, "Print JSON");
   command->footer("Example:\n  roomcast bench codec rig:recordings/lab#s0 --json");
   command->callback([options, &chosen] {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "bench/codec/measure/still_surfaces.h"
+
 namespace roomcast::bench {
 
 void DepthError::Sums::add(int error_mm) {
@@ -13,6 +15,12 @@ void DepthError::Sums::add(int error_mm) {
     return;
   }
   squares += static_cast<double>(error_mm) * error_mm;
+  ++count;
+}
+
+void DepthError::Sums::add_at_most(double error_mm, double most_mm) {
+  const double error = std::min(std::abs(error_mm), most_mm);
+  squares += error * error;
   ++count;
 }
 
@@ -31,6 +39,7 @@ void DepthError::add(DepthView decoded_mm, DepthView input_mm, const DepthTruth&
   const bool known = truth.depth_mm.data != nullptr;
   has_truth_ |= known;
   if (truth.noise_free_mm.data != nullptr) compare_noise_free(decoded_mm, truth);
+  if (truth.still_mm.data != nullptr) compare_still(decoded_mm, input_mm, truth.still_mm);
   for (int y = 0; y < decoded_mm.height; ++y) {
     for (int x = 0; x < decoded_mm.width; ++x) {
       const int decoded = decoded_mm.at(x, y);
@@ -39,6 +48,18 @@ void DepthError::add(DepthView decoded_mm, DepthView input_mm, const DepthTruth&
       Sums& sums = truth_[static_cast<std::size_t>(truth.motion.at(x, y))];
       ++sums.pixels;
       if (decoded != 0) sums.add(std::abs(decoded - truth.depth_mm.at(x, y)));
+    }
+  }
+}
+
+void DepthError::compare_still(DepthView decoded_mm, DepthView input_mm, DepthView still_mm) {
+  has_still_ = true;
+  for (int y = 0; y < decoded_mm.height; ++y) {
+    for (int x = 0; x < decoded_mm.width; ++x) {
+      const int still = still_mm.at(x, y), decoded = decoded_mm.at(x, y), input = input_mm.at(x, y);
+      if (still == 0 || decoded == 0 || input == 0) continue;
+      still_.add_at_most(decoded - still, kStillShare * still);
+      still_input_.add_at_most(input - still, kStillShare * still);
     }
   }
 }
@@ -65,6 +86,8 @@ void DepthError::compare(int decoded_mm, int input_mm) {
 
 void DepthError::add(const DepthError& other) {
   input_.add(other.input_);
+  still_.add(other.still_);
+  still_input_.add(other.still_input_);
   for (std::size_t i = 0; i < truth_.size(); ++i) {
     truth_[i].add(other.truth_[i]);
     noise_free_[i].add(other.noise_free_[i]);
@@ -74,6 +97,7 @@ void DepthError::add(const DepthError& other) {
   extra_ += other.extra_;
   has_truth_ |= other.has_truth_;
   has_noise_free_ |= other.has_noise_free_;
+  has_still_ |= other.has_still_;
 }
 
 double DepthError::rms_truth_mm() const {

@@ -20,6 +20,7 @@ struct DepthTruth {
   DepthView depth_mm;
   ImageView<const Motion> motion;
   DepthView noise_free_mm = {};  // may be empty although the others are not
+  DepthView still_mm = {};       // likewise; 0 where the surface is not still
 };
 
 /// Sums over the pixels of all added frames.
@@ -44,6 +45,13 @@ class DepthError {
     return noise_free_[static_cast<std::size_t>(motion)].rms();
   }
 
+  /// Error against the median of still surfaces, of the output and of the input, over pixels with a
+  /// reading in both. Noise of structured light exceeds 20 mm: an error counts for at most
+  /// kStillShare of the distance, and none is left out.
+  [[nodiscard]] bool has_still() const { return has_still_; }
+  [[nodiscard]] double rms_still_mm() const { return still_.rms(); }
+  [[nodiscard]] double rms_still_input_mm() const { return still_input_.rms(); }
+
   /// Pixels in all frames; against the truth where it is known, else against the input.
   [[nodiscard]] std::int64_t outliers() const;
   [[nodiscard]] std::int64_t outliers(Motion motion) const { return of(motion).outliers; }
@@ -59,19 +67,21 @@ class DepthError {
     std::int64_t count = 0, outliers = 0, pixels = 0;
     void add(int error_mm);
     void add(const Sums& other);
+    void add_at_most(double error_mm, double most_mm);
     [[nodiscard]] double rms() const;
   };
   void compare(int decoded_mm, int input_mm);
+  void compare_still(DepthView decoded_mm, DepthView input_mm, DepthView still_mm);
   void compare_noise_free(DepthView decoded_mm, const DepthTruth& truth);
   [[nodiscard]] const Sums& of(Motion motion) const {
     return truth_[static_cast<std::size_t>(motion)];
   }
 
-  Sums input_;
+  Sums input_, still_, still_input_;
   std::array<Sums, kMotionCount> truth_, noise_free_;
   int max_input_mm_ = 0;
   std::int64_t lost_ = 0, extra_ = 0;
-  bool has_truth_ = false, has_noise_free_ = false;
+  bool has_truth_ = false, has_noise_free_ = false, has_still_ = false;
 };
 
 }  // namespace roomcast::bench

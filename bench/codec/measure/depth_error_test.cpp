@@ -40,6 +40,17 @@ TEST(DepthError, counts_outliers_and_leaves_them_out_of_the_mean) {
   EXPECT_EQ(error.outliers(), 1);
 }
 
+TEST(DepthError, on_still_surfaces_counts_each_error_for_at_most_a_twentieth_of_the_distance) {
+  DepthError error;
+  const DepthImage still = row_of({1000, 2000, 0, 4000, 4000});
+  DepthTruth truth;
+  truth.still_mm = still;
+  error.add(row_of({1010, 2500, 7, 0, 4030}), row_of({1020, 2000, 9, 4000, 4040}), truth);
+  EXPECT_TRUE(error.has_still());
+  EXPECT_DOUBLE_EQ(error.rms_still_mm(), std::sqrt((100.0 + 10000 + 900) / 3));
+  EXPECT_DOUBLE_EQ(error.rms_still_input_mm(), std::sqrt((400.0 + 0 + 1600) / 3));
+}
+
 TEST(DepthError, counts_readings_lost_and_invented) {
   DepthError error;
   error.add(row_of({0, 0, 5, 1000}), row_of({900, 800, 0, 1000}), {});

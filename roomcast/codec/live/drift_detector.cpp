@@ -29,7 +29,7 @@ constexpr float kNewestChange = 0.06f;  // weight of the newest frame; the first
 constexpr float kPriorFrames = 4;       // what is expected counts as so many frames
 // A few pixels' offset is noise where patches change more than that.
 constexpr float kSharedPatchChange = 0.45f;
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+constexpr float kUnknownOffset = std::numeric_limits<float>::quiet_NaN();
 
 struct Columns {
   std::int16_t* off;
@@ -37,7 +37,7 @@ struct Columns {
   std::uint16_t* deviation;
 };
 
-float limit(float least, float change) {
+float offset_limit(float least, float change) {
   return std::clamp(kOffsetPerChange * change, least, kMostOffset);
 }
 
@@ -64,7 +64,7 @@ void DriftDetector::resize(const BlockGrid& grid) {
   column_close_.assign(padded, 0);
   column_deviation_.assign(padded, 0);
   offset_.assign(4 * grid.block_count(), 0);
-  newest_.assign(4 * grid.block_count(), kUnknown);
+  newest_.assign(4 * grid.block_count(), kUnknownOffset);
   before_ = newest_;
   patch_change_.assign(4 * grid.block_count(), kPatchChange);
   block_change_.assign(grid.block_count(), kBlockChange);
@@ -78,7 +78,7 @@ void DriftDetector::update(const FrameChange& change, const PixelHistory& histor
   ++frames_;
   newest_weight_ = std::max(kNewestChange, 1 / (kPriorFrames + static_cast<float>(frames_)));
   std::swap(newest_, before_);
-  std::fill(newest_.begin(), newest_.end(), kUnknown);
+  std::fill(newest_.begin(), newest_.end(), kUnknownOffset);
   for (int y = 0; y < grid_.height; y += kPatchSide) {
     add_up_rows(change, history, y);
     for (int x = 0; x < grid_.width; x += kPatchSide) update_patch(x / kPatchSide, y / kPatchSide);
@@ -135,16 +135,16 @@ BlockDrift DriftDetector::of(std::size_t block) const {
   float sum = 0;
   for (std::size_t patch = 4 * block; patch < 4 * block + 4; ++patch) {
     sum += offset_[patch];
-    drift.drifts |= std::abs(offset_[patch]) > limit(kMaxPatchOffset, patch_change_[patch]);
+    drift.drifts |= std::abs(offset_[patch]) > offset_limit(kMaxPatchOffset, patch_change_[patch]);
     drift.shares_noise |= patch_change_[patch] > kSharedPatchChange;
   }
-  drift.drifts |= std::abs(sum) > 4 * limit(kMaxBlockOffset, block_change_[block]);
+  drift.drifts |= std::abs(sum) > 4 * offset_limit(kMaxBlockOffset, block_change_[block]);
   return drift;
 }
 
 void DriftDetector::reset(std::size_t block) {
   std::fill_n(offset_.begin() + static_cast<std::ptrdiff_t>(4 * block), 4, 0.0f);
-  std::fill_n(newest_.begin() + static_cast<std::ptrdiff_t>(4 * block), 4, kUnknown);
+  std::fill_n(newest_.begin() + static_cast<std::ptrdiff_t>(4 * block), 4, kUnknownOffset);
 }
 
 void DriftDetector::expect_motion(std::size_t block) {

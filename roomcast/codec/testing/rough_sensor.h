@@ -43,7 +43,7 @@ struct RoughSensor {
         std::uint16_t& here = depth.at(x, y);
         const double z_mm = here + (x < covered ? stepped_back_mm : 0);
         const double noise =
-            0.8 * shared[static_cast<std::size_t>(x / kSharedBy)] + 1.2 * gauss(random);
+            1.3 * shared[static_cast<std::size_t>(x / kSharedBy)] + 1.2 * gauss(random);
         here = static_cast<std::uint16_t>(z_mm + noise * z_mm * z_mm / 1e6);
       }
     }
