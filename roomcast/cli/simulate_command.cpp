@@ -10,6 +10,7 @@
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/simulator/rig/simulate_rig.h"
 #include "roomcast/simulator/scene/room.h"
+#include "roomcast/simulator/sensing/harsh_unit.h"
 #include "roomcast/simulator/simulated_source.h"
 #include "roomcast/simulator/simulated_spec.h"
 
@@ -22,12 +23,25 @@ struct SimulateCommand {
   std::string camera = "kinect2";
   double lost_percent = 0.5;
   bool clean = false;
+  std::string harsh;  // empty: no
+  const CLI::Option *seconds = nullptr, *fps = nullptr;
 };
+
+/// A harsh recording has a length and a rate of its own, unless they are given.
+void draw_length(SimulateCommand& command) {
+  const auto drawn = simulator::draw_harsh_recording(command.rig.seed);
+  if (command.fps->count() == 0) command.rig.fps = drawn.fps;
+  if (command.seconds->count() == 0) command.rig.seconds = drawn.frames / command.rig.fps;
+}
 
 Status run_simulate(SimulateCommand command) {
   StopOnSignal stop;
   command.rig.sensing.camera = *simulator::camera_model_named(command.camera);
   command.rig.timing.lost_share = 0.01 * command.lost_percent;
+  if (!command.harsh.empty()) {
+    command.rig.sensing.harsh = *simulator::harshness_named(command.harsh);
+    draw_length(command);
+  }
   if (command.clean) command.rig.clean();
   StatusLine line;
   return simulator::simulate_rig(
@@ -43,12 +57,12 @@ void add_room_options(CLI::App& command, SimulateCommand& values) {
   command.add_option("--sensors", values.rig.sensor_count, "Number of sensors around the room")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
-  command.add_option("--seconds", values.rig.seconds, "Length")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command.add_option("--fps", values.rig.fps, "Frames per second")
-      ->check(CLI::Range(1.0, simulator::kMaxSimulatedFps))
-      ->capture_default_str();
+  values.seconds = command.add_option("--seconds", values.rig.seconds, "Length")
+                       ->check(CLI::PositiveNumber)
+                       ->capture_default_str();
+  values.fps = command.add_option("--fps", values.rig.fps, "Frames per second")
+                   ->check(CLI::Range(1.0, simulator::kMaxSimulatedFps))
+                   ->capture_default_str();
   command.add_option("--seed", values.rig.seed, "Seed of noise, devices and appearance")
       ->capture_default_str();
   command.add_option("--speed", values.rig.speed, "Speed of all motion: 1 is natural, 0 is none")
@@ -79,7 +93,15 @@ void add_sensor_options(CLI::App& command, SimulateCommand& values) {
                   "Bursts of infrared interference per minute and sensor")
       ->check(CLI::Range(0.0, simulator::kMaxInterferencePerMinute))
       ->capture_default_str();
-  command.add_flag("--clean", values.clean, "Perfect sensors: no errors of any kind");
+  command
+      .add_flag("--harsh{mixed}", values.harsh,
+                "Uncalibrated sensors as found in the field, drawn at random: noise, wrong lenses "
+                "and scales, drifting colour, motion blur, a few frames; --harsh=tof or "
+                "--harsh=structured for one kind")
+      ->check(CLI::IsMember({"tof", "structured", "mixed"}))
+      ->excludes("--camera");
+  command.add_flag("--clean", values.clean, "Perfect sensors: no errors of any kind")
+      ->excludes("--harsh");
 }
 
 void add_truth_options(CLI::App& command, SimulateCommand& values) {

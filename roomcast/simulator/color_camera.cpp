@@ -2,6 +2,7 @@
 #include "roomcast/simulator/color_camera.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace roomcast::simulator {
 namespace {
@@ -43,11 +44,26 @@ ColorCamera::Work ColorCamera::make_work() const {
           MovingLayer(meter_camera_.width(), meter_camera_.height()),
           {},
           {},
-          {}};
+          {},
+          {1, 1, 1}};
 }
 
 void ColorCamera::draw(const MovingThings& things, Work& work) const {
   look(room_, things, {camera_, plate_}, work.layer, work.colors, work.light);
+}
+
+void ColorCamera::draw_slowly(const Shutter& shutter, nanoseconds scene_time, MovingThings& things,
+                              Work& work) const {
+  std::array<ColorImage, kShutterInstants> lights;
+  const auto instants = shutter.instants();
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    things.move_to(scene_time + instants[i]);
+    draw(things, work);
+    lights[i] = std::move(work.light);
+    work.light = ColorImage();
+  }
+  work.light.resize(lights[0].width(), lights[0].height());
+  expose_rows(shutter, lights, work.light.view());
 }
 
 float ColorCamera::brightness(const MovingThings& things, Work& work) const {
@@ -55,8 +71,9 @@ float ColorCamera::brightness(const MovingThings& things, Work& work) const {
   return mean_brightness(work.meter);
 }
 
-std::array<float, 3> ColorCamera::gains(float exposure) const {
-  return {exposure * unit_gain_[0], exposure * unit_gain_[1], exposure * unit_gain_[2]};
+std::array<float, 3> ColorCamera::gains(float exposure, const Work& work) const {
+  return {exposure * unit_gain_[0] * work.drift[0], exposure * unit_gain_[1] * work.drift[1],
+          exposure * unit_gain_[2] * work.drift[2]};
 }
 
 void ColorCamera::develop(const ColorResponse& response, std::uint32_t key, const Work& work,
@@ -67,11 +84,11 @@ void ColorCamera::develop(const ColorResponse& response, std::uint32_t key, cons
 }
 
 void ColorCamera::expose(float gain, const Work& work, ColorImage& color) const {
-  develop(ColorResponse(gains(gain), false), 0, work, color);
+  develop(ColorResponse(gains(gain, work), false), 0, work, color);
 }
 
 void ColorCamera::read(float gain, std::uint32_t key, const Work& work, ColorImage& color) const {
-  develop(ColorResponse(gains(gain), true), key, work, color);
+  develop(ColorResponse(gains(gain, work), true), key, work, color);
 }
 
 }  // namespace roomcast::simulator

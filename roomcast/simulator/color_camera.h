@@ -22,6 +22,7 @@ class ColorCamera {
     MovingLayer layer, meter_layer;
     MovingColors colors;
     ColorImage light, meter;
+    std::array<float, 3> drift = {1, 1, 1};  // of the unit's gains, at that instant
   };
 
   ColorCamera(const SimulatedRoom& room, const SensorUnit& unit,
@@ -31,6 +32,9 @@ class ColorCamera {
 
   /// Renders the things in their current state. Must precede the other calls for each instant.
   void draw(const MovingThings& things, Work& work) const;
+  /// Draws the things as a camera with this shutter sees them, at a scene time, and moves them.
+  void draw_slowly(const Shutter& shutter, nanoseconds scene_time, MovingThings& things,
+                   Work& work) const;
   /// The picture of the last draw with the unit's white balance and an exposure gain, without
   /// noise.
   void expose(float gain, const Work& work, ColorImage& color) const;
@@ -45,7 +49,7 @@ class ColorCamera {
  private:
   void develop(const ColorResponse& response, std::uint32_t key, const Work& work,
                ColorImage& color) const;
-  [[nodiscard]] std::array<float, 3> gains(float exposure) const;
+  [[nodiscard]] std::array<float, 3> gains(float exposure, const Work& work) const;
 
   const SimulatedRoom& room_;
   std::array<float, 3> unit_gain_;

@@ -7,6 +7,9 @@
 
 #include "roomcast/simulator/people/moving_picture.h"
 #include "roomcast/simulator/random/value_noise.h"
+#include "roomcast/simulator/sensing/depth_scale.h"
+#include "roomcast/simulator/sensing/disparity_steps.h"
+#include "roomcast/simulator/sensing/pattern_holes.h"
 #include "roomcast/simulator/sensing/stereo_shadow.h"
 #include "roomcast/simulator/sensing/unit_noise.h"
 
@@ -43,6 +46,8 @@ DepthCamera::DepthCamera(const SimulatedRoom& room, const SensorUnit& unit,
                          int threads)
     : room_(room.room()),
       noise_(options.noise),
+      depth_scale_(unit.depth_scale),
+      patches_key_(hash_of(unit.key, 7)),
       camera_(unit.exact.depth, world_from_depth),
       fine_camera_(resampled(unit.exact.depth, 2.0), world_from_depth),
       plate_(trace_depth_plate(room_, room.rays(), camera_, fine_camera_,
@@ -180,6 +185,7 @@ void DepthCamera::expect(const MovingThings& things, const Work& work, DepthImag
   for_each_moving(work, [&](int x, int y, MovingOutline::Sees) {
     depth_mm.at(x, y) = sensing_.expect(centre_of(things, work, x, y), x, y).rounded_mm();
   });
+  if (depth_scale_ != 1.0) apply_depth_scale(depth_scale_, depth_mm.view());
 }
 
 void DepthCamera::read(const MovingThings& things, std::uint32_t key, nanoseconds scene_time,
@@ -192,10 +198,19 @@ void DepthCamera::read(const MovingThings& things, std::uint32_t key, nanosecond
   fill_unit_noise(profile.principle, key, gaussians_, work.noise.unit.view());
   still_.read(sensing_, work.noise, depth_mm.view());
   read_moving(things, work, depth_mm.view());
-  if (profile.principle == DepthPrinciple::kStereo) {
-    take_stereo_shadow(work.clean_mm, static_cast<float>(profile.nominal.depth.fx),
-                       profile.baseline_mm, depth_mm.view());
-  }
+  finish(work, depth_mm.view());
+}
+
+void DepthCamera::finish(const Work& work, ImageView<std::uint16_t> depth_mm) const {
+  const SensorProfile& profile = sensing_.profile();
+  const auto focal_px = static_cast<float>(profile.nominal.depth.fx);
+  if (profile.principle == DepthPrinciple::kStructuredLight)
+    match_by_patches(patches_key_, depth_mm);
+  if (measures_disparity(profile.principle))
+    take_stereo_shadow(work.clean_mm, focal_px, profile.baseline_mm, depth_mm);
+  if (profile.disparity_step_px > 0.0F)
+    round_to_disparity_steps({focal_px, profile.baseline_mm, profile.disparity_step_px}, depth_mm);
+  if (depth_scale_ != 1.0) apply_depth_scale(depth_scale_, depth_mm);
 }
 
 }  // namespace roomcast::simulator

@@ -65,8 +65,13 @@ class DepthCamera {
   void for_each_moving(const Work& work, Do&& what) const;
   void read_moving(const MovingThings& things, Work& work, ImageView<std::uint16_t> out) const;
 
+  /// What the device does to its picture after sensing: patches, shadow, steps, scale.
+  void finish(const Work& work, ImageView<std::uint16_t> depth_mm) const;
+
   const Room& room_;
   bool noise_;
+  double depth_scale_;
+  std::uint32_t patches_key_;
   PlacedCamera camera_, fine_camera_;
   DepthPlate plate_;
   DepthImage still_mm_;

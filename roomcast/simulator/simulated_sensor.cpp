@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "roomcast/core/assert.h"
 #include "roomcast/simulator/random/value_noise.h"
 
 namespace roomcast::simulator {
@@ -27,12 +28,20 @@ RigidTransform world_from_mount(const simulator::SensorMount& mount) {
   return world_from_optical_looking_at(mount.eye_m.cast<double>(), mount.target_m.cast<double>());
 }
 
+/// Devices test roughly whether the colour camera sees a surface, for their depth is noisy.
+constexpr RegistrationOptions kDeviceRegistration{0.1, 0.1, 1};
+
 }  // namespace
 
 SimulatedSensor::Moment::Moment(const SimulatedSensor& sensor)
     : things_(sensor.room_->room(), sensor.options_.speed),
       depth_(sensor.depth_.make_work()),
-      color_(sensor.color_.make_work()) {}
+      color_(sensor.color_.make_work()) {
+  if (!sensor.unit_.registered_by) return;
+  auto registration = Registration::create(*sensor.unit_.registered_by, kDeviceRegistration);
+  ROOMCAST_ASSERT(registration);
+  registration_ = *std::move(registration);
+}
 
 Result<std::unique_ptr<SimulatedSensor>> SimulatedSensor::open(
     std::shared_ptr<const SimulatedRoom> room, const Options& options) {
@@ -59,9 +68,12 @@ std::uint32_t SimulatedSensor::noise_key(std::uint64_t frame) const {
 
 void SimulatedSensor::look(nanoseconds scene_time, Moment& moment) const {
   moment.scene_time_ = scene_time;
+  if (unit_.shutter.takes_time())
+    color_.draw_slowly(unit_.shutter, scene_time, moment.things_, moment.color_);
   moment.things_.move_to(scene_time);
   depth_.draw(moment.things_, moment.depth_);
-  color_.draw(moment.things_, moment.color_);
+  if (!unit_.shutter.takes_time()) color_.draw(moment.things_, moment.color_);
+  moment.color_.drift = unit_.drift.gains(scene_time);
 }
 
 const DepthImage& SimulatedSensor::clean_depth_mm(const Moment& moment) const {
@@ -78,16 +90,34 @@ void SimulatedSensor::clean_color(float exposure, const Moment& moment, ColorIma
 
 void SimulatedSensor::read_depth(std::uint64_t frame, Moment& moment, DepthImage& depth_mm) const {
   depth_.read(moment.things_, noise_key(frame), moment.scene_time_, moment.depth_, depth_mm);
+  if (unit_.registered_by) moment.reported_mm_ = depth_mm;
 }
 
 void SimulatedSensor::expected_depth(const Moment& moment, DepthImage& depth_mm) const {
   depth_.expect(moment.things_, moment.depth_, depth_mm);
 }
 
-void SimulatedSensor::read_color(std::uint64_t frame, float exposure, const Moment& moment,
+void SimulatedSensor::read_color(std::uint64_t frame, float exposure, Moment& moment,
                                  ColorImage& color) const {
   if (!options_.sensing.noise) return color_.expose(exposure, moment.color_, color);
   color_.read(exposure, simulator::hash_of(noise_key(frame), 1), moment.color_, color);
+  if (unit_.registered_by) register_color(moment, color);
+}
+
+/// As a device's driver does: black where there is no depth.
+void SimulatedSensor::register_color(Moment& moment, ColorImage& color) const {
+  std::swap(color, moment.unregistered_);
+  const Status registered =
+      moment.registration_->run(moment.reported_mm_, moment.unregistered_, moment.registered_);
+  ROOMCAST_ASSERT(registered);
+  std::swap(color, moment.registered_.color);
+}
+
+std::array<float, 3> SimulatedSensor::color_gains(float exposure, nanoseconds scene_time) const {
+  std::array<float, 3> gains = unit_.color_gain;
+  const std::array<float, 3> drift = unit_.drift.gains(scene_time);
+  for (std::size_t i = 0; i < gains.size(); ++i) gains[i] *= exposure * drift[i];
+  return gains;
 }
 
 float SimulatedSensor::next_exposure(nanoseconds scene_time, Moment& moment,

@@ -6,12 +6,15 @@
 // instant. Const calls are thread-safe if every thread uses its own Moment.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 
 #include "roomcast/core/clock.h"
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/camera_model.h"
+#include "roomcast/geometry/registration.h"
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/simulator/color_camera.h"
 #include "roomcast/simulator/depth_camera.h"
@@ -44,6 +47,11 @@ class SimulatedSensor {
     simulator::MovingThings things_;
     simulator::DepthCamera::Work depth_;
     simulator::ColorCamera::Work color_;
+    // Of sensors that register their colour:
+    std::optional<Registration> registration_;
+    DepthImage reported_mm_;
+    ColorImage unregistered_;
+    RegisteredColor registered_;
   };
 
   /// kInvalidArgument for an index or count out of range.
@@ -72,8 +80,10 @@ class SimulatedSensor {
   void read_depth(std::uint64_t frame, Moment& moment, DepthImage& depth_mm) const;
   /// The reported depth without random effects.
   void expected_depth(const Moment& moment, DepthImage& depth_mm) const;
-  void read_color(std::uint64_t frame, float exposure, const Moment& moment,
-                  ColorImage& color) const;
+  /// A sensor that registers its colour needs its depth: read_depth of that frame must precede.
+  void read_color(std::uint64_t frame, float exposure, Moment& moment, ColorImage& color) const;
+  /// All gains of linear light at an instant, red first.
+  [[nodiscard]] std::array<float, 3> color_gains(float exposure, nanoseconds scene_time) const;
 
   /// The exposure gains of consecutive frames; 1 without exposure control. Does not need a
   /// preceding look().
@@ -84,6 +94,7 @@ class SimulatedSensor {
  private:
   SimulatedSensor(std::shared_ptr<const SimulatedRoom> room, const Options& options);
   [[nodiscard]] std::uint32_t noise_key(std::uint64_t frame) const;
+  void register_color(Moment& moment, ColorImage& color) const;
 
   std::shared_ptr<const SimulatedRoom> room_;
   Options options_;

@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kOptions =
     "; a simulated source is sim[:scene[,camera=kinect2|azure|d435][,speed=0..10][,color=half|full]"
     "[,interference=BURSTS_PER_MINUTE][,bump_at=SECONDS][,bump_cm=0..100][,bump_deg=0..90][,board]["
-    ",clean]"
+    ",harsh[=tof|structured|mixed]][,clean]"
     "]";
 
 Error refused(std::string_view option) {
@@ -64,6 +64,11 @@ bool apply(std::string_view option, SimulatedSpec& spec) {
     const auto number = number_up_to(value, place->largest);
     if (number) place->set(*number);
     return number.has_value();
+  }
+  if (name == "harsh") {
+    const auto harshness = simulator::harshness_named(equals < option.size() ? value : "mixed");
+    if (harshness) spec.sensing.harsh = *harshness;
+    return harshness.has_value();
   }
   if (name == "color") {
     spec.sensing.half_color = value == "half";

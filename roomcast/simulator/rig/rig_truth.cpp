@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <system_error>
 
+#include <nlohmann/json.hpp>
+
 #include "roomcast/io/camera_json.h"
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/io/image_file.h"
@@ -29,7 +31,8 @@ Status make_folder(const fs::path& path) {
                "cannot make the folder " + path.string() + ": " + error.message()};
 }
 
-std::string true_rig(double fps, std::span<const recording::RigSensor> sensors, const std::string& source) {
+std::string true_rig(double fps, std::span<const recording::RigSensor> sensors,
+                     const std::string& source) {
   recording::RigDescription rig{fps, "truth of: " + source, {}};
   for (const recording::RigSensor& sensor : sensors) {
     const source::SensorDescription& description = sensor.description;
@@ -43,10 +46,24 @@ std::string true_rig(double fps, std::span<const recording::RigSensor> sensors, 
   return recording::rig_json_text(rig);
 }
 
+/// Adds to each sensor of a rig.json what is true of it as a harsh one.
+std::string with_harsh_truth(const std::string& rig_json, std::span<const HarshTruth> harsh) {
+  if (harsh.empty()) return rig_json;
+  nlohmann::json rig = nlohmann::json::parse(rig_json);
+  for (std::size_t i = 0; i < harsh.size(); ++i) {
+    nlohmann::json& sensor = rig["sensors"][i];
+    sensor["depth_scale"] = harsh[i].depth_scale;
+    sensor["camera"] = harsh[i].camera;
+    sensor["registers_color"] = harsh[i].registers_color;
+  }
+  return rig.dump(1) + "\n";
+}
+
 }  // namespace
 
 RigTruth::RigTruth(const fs::path& directory, std::span<const recording::RigSensor> sensors) {
-  for (const recording::RigSensor& sensor : sensors) folders_.push_back(directory / sensor.description.name);
+  for (const recording::RigSensor& sensor : sensors)
+    folders_.push_back(directory / sensor.description.name);
 }
 
 Status RigTruth::make_folders(std::size_t sensor, const SensorCalibration& calibration,
@@ -66,14 +83,16 @@ Status RigTruth::make_folders(std::size_t sensor, const SensorCalibration& calib
 }
 
 Result<RigTruth> RigTruth::create(const fs::path& directory, double fps,
-                                  std::span<const recording::RigSensor> sensors, const std::string& source,
-                                  bool with_color) {
+                                  std::span<const recording::RigSensor> sensors,
+                                  const std::string& source, bool with_color,
+                                  std::span<const HarshTruth> harsh) {
   RigTruth truth(directory, sensors);
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     Status made = truth.make_folders(i, sensors[i].description.calibration, with_color);
     if (!made) return std::move(made).error();
   }
-  Status written = io::write_file(directory / "rig.json", true_rig(fps, sensors, source));
+  Status written = io::write_file(directory / "rig.json",
+                                  with_harsh_truth(true_rig(fps, sensors, source), harsh));
   if (!written) return std::move(written).error();
   return truth;
 }
@@ -96,7 +115,8 @@ Status RigTruth::list(std::size_t sensor, std::uint64_t frame, nanoseconds true_
   char line[96];
   std::snprintf(line, sizeof(line), "%" PRIu64 " %.9f", frame,
                 static_cast<double>(true_time.count()) * 1e-9);
-  if (Status written = io::append_line(folders_[sensor] / "times.txt", line); !written) return written;
+  if (Status written = io::append_line(folders_[sensor] / "times.txt", line); !written)
+    return written;
   std::snprintf(line, sizeof(line), "%" PRIu64 " %.5f %.5f %.5f", frame,
                 static_cast<double>(gains[0]), static_cast<double>(gains[1]),
                 static_cast<double>(gains[2]));

@@ -19,13 +19,21 @@ namespace roomcast::simulator {
 
 inline constexpr int kTruthJpegQuality = 97;
 
+/// What is true of a harsh sensor, beyond its pose and its lenses.
+struct HarshTruth {
+  double depth_scale = 1;  // true depth = depth_scale * reading
+  std::string camera;      // model
+  bool registers_color = false;
+};
+
 class RigTruth {
  public:
-  /// Creates `directory` with the exact calibrations and poses of `sensors`. kUnavailable on a disk
-  /// error.
+  /// Creates `directory` with the exact calibrations and poses of `sensors`. `harsh`: empty, or one
+  /// for each sensor. kUnavailable on a disk error.
   static Result<RigTruth> create(const std::filesystem::path& directory, double fps,
                                  std::span<const recording::RigSensor> sensors,
-                                 const std::string& source, bool with_color);
+                                 const std::string& source, bool with_color,
+                                 std::span<const HarshTruth> harsh = {});
 
   [[nodiscard]] Status write_depth(std::size_t sensor, std::uint64_t frame, DepthView depth_mm,
                                    MaskView moving) const;

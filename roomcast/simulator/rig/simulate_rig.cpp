@@ -105,9 +105,24 @@ std::vector<recording::RigSensor> rig_sensors(const Devices& devices, Calibratio
 }
 
 std::string provenance(const SimulateRigOptions& options, const simulator::Room& room) {
+  const simulator::Harshness harshness = options.sensing.harsh;
+  const std::string camera = harshness == simulator::Harshness::kNone
+                                 ? std::string(simulator::name_of(options.sensing.camera))
+                                 : "harsh " + std::string(simulator::name_of(harshness));
   return "simulated by roomcast: scene " + room.name + ", seed " + std::to_string(options.seed) +
-         ", camera " + std::string(simulator::name_of(options.sensing.camera)) +
-         (options.sensing.noise ? "" : ", without noise");
+         ", camera " + camera + (options.sensing.noise ? "" : ", without noise");
+}
+
+/// Empty if the sensors are not harsh.
+std::vector<HarshTruth> harsh_truth(const SimulateRigOptions& options, const Devices& devices) {
+  std::vector<HarshTruth> harsh;
+  if (options.sensing.harsh == simulator::Harshness::kNone) return harsh;
+  for (const Device& device : devices) {
+    const simulator::SensorUnit& unit = device.sensor->unit();
+    harsh.push_back({unit.depth_scale, std::string(simulator::name_of(unit.profile.model)),
+                     unit.registered_by.has_value()});
+  }
+  return harsh;
 }
 
 /// Renders and writes frames.
@@ -146,9 +161,8 @@ class FrameWriter {
     const std::size_t number = sensor_of(task);
     const std::uint64_t frame = frame_of(task);
     const Device& device = devices_[number];
-    std::array<float, 3> gains = device.sensor->unit().color_gain;
-    for (float& gain : gains) gain *= device.exposures[frame];
     const nanoseconds time = device.clock.true_time(frame);
+    const auto gains = device.sensor->color_gains(device.exposures[frame], time);
     if (Status listed = truth_.list(number, frame, time, gains); !listed) return listed;
     if (device.clock.is_lost(frame)) return rig_.drop(number, frame);
     return rig_.list(number, frame, true, device.clock.stamp(frame));
@@ -239,7 +253,7 @@ Status write_rig(const fs::path& directory, const SimulateRigOptions& options,
   const int frames = std::max(1, static_cast<int>(std::lround(options.seconds * options.fps)));
   auto truth =
       RigTruth::create(directory / "truth", options.fps, rig_sensors(devices, Calibration::kExact),
-                       source, options.truth_color);
+                       source, options.truth_color, harsh_truth(options, devices));
   if (!truth) return std::move(truth).error();
   if (Status metered = meter(devices, frames, threads); !metered) return metered;
   Status written = write_frames(options, devices, frames, threads, rig, *truth, watcher, stop);
@@ -258,9 +272,9 @@ Status simulate_rig(const fs::path& directory, const SimulateRigOptions& options
   if (!room) return std::move(room).error();
   auto devices = open_devices(*room, options, watcher);
   if (!devices) return std::move(devices).error();
-  auto rig = recording::RigWriter::create(directory, options.fps,
-                                          rig_sensors(*devices, Calibration::kReported),
-                                          {provenance(options, (*room)->room()), 90});
+  auto rig = recording::RigWriter::create(
+      directory, options.fps, rig_sensors(*devices, Calibration::kReported),
+      {provenance(options, (*room)->room()), devices->front().sensor->unit().jpeg_quality});
   if (!rig) return std::move(rig).error();
   Status written = write_rig(directory, options, **room, *devices, *rig, watcher, stop);
   if (!written && written.error().code != ErrorCode::kClosed) remove_contents(directory);

@@ -3,7 +3,9 @@
 //   OUT/                              a rig (recording/dataset/rig_json.h), as reported: noisy
 //                                     depth and colour, reported lens calibration, timestamps
 //                                     of their own clocks, lost frames; world_from_depth is exact
-//   OUT/truth/rig.json                exact poses; errors of the clocks
+//   OUT/truth/rig.json                exact poses; errors of the clocks; of harsh sensors also
+//                                     "depth_scale" (true depth = depth_scale * reading),
+//                                     "camera" and "registers_color"
 //   OUT/truth/sK/camera.json          exact lenses and extrinsics
 //   OUT/truth/sK/times.txt            number and true time (s) of every frame, also lost ones
 //   OUT/truth/sK/gains.txt            exposure and white balance: gains of linear light

@@ -55,7 +55,10 @@ struct Room {
 /// The default scene is the first.
 inline constexpr std::array<std::string_view, 8> kSceneNames = {
     "livingroom", "office", "lab", "meeting", "studio", "bare", "mirror-tiles", "corners"};
-/// The scene names as a list for messages.
+/// Rooms that are harder to align than most, built by their names only: no default list has them.
+inline constexpr std::array<std::string_view, 6> kHarshSceneNames = {
+    "shelf-rows", "desk-rows", "half-turn-hall", "open-plan", "glossy-floor", "dark-floor"};
+/// All scene names as a list for messages.
 [[nodiscard]] std::string scene_list();
 
 /// Builds a room of one kind ("": the default); each seed gives another room. kNotFound, listing

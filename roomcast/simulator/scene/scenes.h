@@ -29,4 +29,19 @@ std::optional<Room> try_mirror_tiles(std::uint32_t seed);
 /// 5 x 4.2 m with sensors in its corners.
 std::optional<Room> try_corners(std::uint32_t seed);
 
+// Rooms that are hard to align (kHarshSceneNames).
+
+/// 6.6..7.8 x 5.4..6.2 m: rows of equal shelves on both sides of an aisle.
+std::optional<Room> try_shelf_rows(std::uint32_t seed);
+/// 6.4..7.6 x 5.4..6.2 m: two rows of equal desks and chairs.
+std::optional<Room> try_desk_rows(std::uint32_t seed);
+/// Looks alike after half a turn, but for 0 to 3 unique objects.
+std::optional<Room> try_half_turn_hall(std::uint32_t seed);
+/// 15..17 x 13..15 m: sensors around its middle; the walls are beyond their range.
+std::optional<Room> try_open_plan(std::uint32_t seed);
+/// `meeting` on polished stone.
+std::optional<Room> try_glossy_floor(std::uint32_t seed);
+/// `lab` on black carpet.
+std::optional<Room> try_dark_floor(std::uint32_t seed);
+
 }  // namespace roomcast::simulator

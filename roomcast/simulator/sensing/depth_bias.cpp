@@ -33,7 +33,7 @@ Image<float> wave_over_picture(int width, int height, float amplitude, std::uint
 }  // namespace
 
 DepthBias::DepthBias(const SensorProfile& profile, std::uint32_t unit_key) {
-  const bool stereo = profile.principle == DepthPrinciple::kStereo;
+  const bool stereo = measures_disparity(profile.principle);
   const CameraIntrinsics& lens = profile.nominal.depth;
   wave_ = wave_over_picture(lens.width, lens.height,
                             stereo ? profile.bias_disparity_px : profile.bias_wave_mm,

@@ -10,6 +10,7 @@ namespace roomcast::simulator {
 namespace {
 
 constexpr float kGrazing = 0.1219F;  // cos 83 degrees
+constexpr float kMaxAmplitudeNoise_mm = 80.0F;
 constexpr std::uint32_t kFate = 0x5bd1e995U;
 
 std::uint16_t to_mm(float value_mm) {
@@ -30,9 +31,13 @@ std::uint16_t ExpectedReading::rounded_mm() const {
 float DepthSensing::sigma_mm(const DepthReading& reading) const {
   const float theta = std::acos(std::clamp(reading.facing, 0.0F, 1.0F));
   const float axial = profile_.axial_sigma_mm(reading.z_m, theta);
-  if (profile_.principle == DepthPrinciple::kStereo) return axial;
+  if (measures_disparity(profile_.principle)) return axial;
   const float darkness = kReferenceReflectance / std::max(reading.infrared, 1e-3F);
-  return axial * std::clamp(std::sqrt(darkness), 0.7F, 4.0F);
+  const float shot = axial * std::clamp(std::sqrt(darkness), 0.7F, 4.0F);
+  if (profile_.amplitude_noise_mm == 0.0F) return shot;
+  const float strength = signal_strength(reading.infrared, reading.facing, reading.z_m);
+  return std::hypot(shot, std::min(profile_.amplitude_noise_mm / std::max(strength, 1e-6F),
+                                   kMaxAmplitudeNoise_mm));
 }
 
 float DepthSensing::dropout_probability(const DepthReading& reading) const {
@@ -65,7 +70,7 @@ std::optional<float> DepthSensing::seen_at_edge(const ExpectedReading& expected,
   if (share <= 0.0F) return expected.mean_mm;
   if (share >= 1.0F) return other_mm;
   if (nth_unit(hash, 4) < profile_.lost_at_edge) return std::nullopt;
-  if (profile_.principle == DepthPrinciple::kStereo) {
+  if (measures_disparity(profile_.principle)) {
     return share < 0.5F ? expected.mean_mm : other_mm;
   }
   const float light = share * other.strength;

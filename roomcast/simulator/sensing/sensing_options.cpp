@@ -18,6 +18,30 @@ std::string_view name_of(CameraModel model) {
       return "azure";
     case CameraModel::kD435:
       return "d435";
+    case CameraModel::kKinect1:
+      return "kinect1";
+  }
+  return "";
+}
+
+std::optional<Harshness> harshness_named(std::string_view name) {
+  for (const Harshness harshness :
+       {Harshness::kTimeOfFlight, Harshness::kStructuredLight, Harshness::kMixed}) {
+    if (name_of(harshness) == name) return harshness;
+  }
+  return std::nullopt;
+}
+
+std::string_view name_of(Harshness harshness) {
+  switch (harshness) {
+    case Harshness::kNone:
+      break;
+    case Harshness::kTimeOfFlight:
+      return "tof";
+    case Harshness::kStructuredLight:
+      return "structured";
+    case Harshness::kMixed:
+      return "mixed";
   }
   return "";
 }

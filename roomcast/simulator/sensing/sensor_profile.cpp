@@ -109,6 +109,31 @@ SensorProfile d435() {
   return profile;
 }
 
+/// Depth: 640x480 with f = 585, baseline 75 mm, disparities in eighths of a pixel (Konolige and
+/// Mihelich, "Technical description of Kinect calibration", ROS wiki 2010). Disparity noise of half
+/// a step: Khoshelham and Oude Elberink, "Accuracy and resolution of Kinect depth data for indoor
+/// mapping applications", Sensors 12(2), 2012. Smooth disparity error: Herrera, Kannala, Heikkila,
+/// "Joint depth and color camera calibration with distortion correction", PAMI 34(10), 2012.
+SensorProfile kinect1() {
+  SensorProfile profile;
+  profile.model = CameraModel::kKinect1;
+  profile.principle = DepthPrinciple::kStructuredLight;
+  profile.nominal.depth = lens(640, 480, 585.0, 319.5, 239.5);
+  profile.nominal.color = lens(640, 480, 525.0, 319.5, 239.5);
+  profile.nominal.color_from_depth = turned_and_shifted(0, 0, 0, {0.025, 0, 0});
+  profile.nearest_m = 0.5F;
+  profile.farthest_m = 6.0F;
+  profile.lateral_sigma_mm = 3.0F;  // ours
+  profile.lost_signal = 0.0015F;    // ours
+  profile.safe_signal = 0.0060F;
+  profile.lost_at_edge = 0.30F;
+  profile.baseline_mm = 75.0F;
+  profile.subpixel = 0.0625F;
+  profile.disparity_step_px = 0.125F;
+  profile.bias_disparity_px = 0.10F;
+  return profile;
+}
+
 /// Bins pixels two by two; pixel centres are at integer coordinates.
 CameraIntrinsics halved(CameraIntrinsics camera) {
   camera.width /= 2;
@@ -129,16 +154,35 @@ float SensorProfile::axial_sigma_mm(float z_m, float theta) const {
     case CameraModel::kAzure:
       return azure_sigma_mm(z_m, theta);
     case CameraModel::kD435:
+    case CameraModel::kKinect1:
       break;
   }
   return stereo_sigma_mm(z_m, static_cast<float>(nominal.depth.fx), baseline_mm, subpixel);
 }
 
+namespace {
+
+SensorProfile full_profile_of(CameraModel model) {
+  switch (model) {
+    case CameraModel::kKinect2:
+      return kinect2();
+    case CameraModel::kAzure:
+      return azure();
+    case CameraModel::kD435:
+      return d435();
+    case CameraModel::kKinect1:
+      break;
+  }
+  return kinect1();
+}
+
+}  // namespace
+
 SensorProfile profile_of(CameraModel model, bool half_color) {
-  SensorProfile profile = model == CameraModel::kKinect2 ? kinect2()
-                          : model == CameraModel::kAzure ? azure()
-                                                         : d435();
-  if (half_color) profile.nominal.color = halved(profile.nominal.color);
+  constexpr int kAlreadySmall_px = 1000;
+  SensorProfile profile = full_profile_of(model);
+  if (half_color && profile.nominal.color.width > kAlreadySmall_px)
+    profile.nominal.color = halved(profile.nominal.color);
   return profile;
 }
 

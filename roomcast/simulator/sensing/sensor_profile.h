@@ -8,7 +8,12 @@
 
 namespace roomcast::simulator {
 
-enum class DepthPrinciple { kTimeOfFlight, kStereo };
+enum class DepthPrinciple { kTimeOfFlight, kStereo, kStructuredLight };
+
+/// Stereo and structured light both measure a disparity.
+[[nodiscard]] inline bool measures_disparity(DepthPrinciple principle) {
+  return principle != DepthPrinciple::kTimeOfFlight;
+}
 
 struct SensorProfile {
   CameraModel model = CameraModel::kKinect2;
@@ -19,11 +24,13 @@ struct SensorProfile {
   float lost_signal = 0, safe_signal = 0;  // amplitudes: never a reading below, always above
   float saturating_signal = 0;             // amplitude above which there is no reading; 0: never
   float lost_at_edge = 0;                  // discarded share of the readings on an edge
-  float baseline_mm = 0, subpixel = 0;     // stereo only
-  float bias_offset_mm = 0;                // maximum constant error of a unit (time of flight)
-  float bias_wave_mm = 0;                  // amplitude of the smooth error over the picture
-  float bias_wiggle_mm = 0;                // amplitude of the periodic error over range
-  float bias_disparity_px = 0;             // maximum smooth error of the disparity (stereo)
+  float amplitude_noise_mm = 0;         // axial noise at amplitude 1, inversely proportional to it
+  float baseline_mm = 0, subpixel = 0;  // stereo and structured light
+  float disparity_step_px = 0;          // disparities are multiples of this; 0: of any size
+  float bias_offset_mm = 0;             // maximum constant error of a unit (time of flight)
+  float bias_wave_mm = 0;               // amplitude of the smooth error over the picture
+  float bias_wiggle_mm = 0;             // amplitude of the periodic error over range
+  float bias_disparity_px = 0;  // maximum smooth error of the disparity (stereo, structured light)
 
   /// Axial standard deviation in millimetres, for a surface of the reference reflectance.
   [[nodiscard]] float axial_sigma_mm(float z_m, float theta) const;

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "roomcast/simulator/random/value_noise.h"
+#include "roomcast/simulator/sensing/harsh_unit.h"
 
 namespace roomcast::simulator {
 namespace {
@@ -84,6 +85,7 @@ std::uint32_t key_of(std::uint64_t seed, int index) {
 }  // namespace
 
 SensorUnit make_unit(const SensingOptions& options, std::uint64_t seed, int index) {
+  if (options.harsh != Harshness::kNone) return make_harsh_unit(options, key_of(seed, index));
   SensorUnit unit;
   unit.profile = profile_of(options.camera, options.half_color);
   unit.key = key_of(seed, index);

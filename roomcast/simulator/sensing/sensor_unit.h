@@ -6,8 +6,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
+#include "roomcast/simulator/sensing/color_drift.h"
 #include "roomcast/simulator/sensing/sensor_profile.h"
+#include "roomcast/simulator/sensing/shutter.h"
 
 namespace roomcast::simulator {
 
@@ -24,6 +27,14 @@ struct SensorUnit {
   SensorCalibration reported;                   // written to camera.json
   std::array<float, 3> color_gain = {1, 1, 1};  // of linear light, red first
   std::uint32_t key = 0;                        // for all of this unit's random numbers
+
+  // Of harsh units (harsh_unit.h); these values are those of all others.
+  double depth_scale = 1;  // true depth = depth_scale * reading
+  ColorDrift drift;
+  Shutter shutter;
+  int jpeg_quality = 90;  // of its colour in a recording
+  /// The calibration by which the device registers its colour to depth; nothing: it does not.
+  std::optional<SensorCalibration> registered_by;
 };
 
 [[nodiscard]] SensorUnit make_unit(const SensingOptions& options, std::uint64_t seed, int index);

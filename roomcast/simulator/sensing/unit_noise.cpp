@@ -63,7 +63,7 @@ void fill_correlated(std::uint32_t key, const GaussianTable& gaussians, ImageVie
 
 void fill_unit_noise(DepthPrinciple principle, std::uint32_t key, const GaussianTable& gaussians,
                      ImageView<float> out) {
-  if (principle == DepthPrinciple::kStereo) return fill_correlated(key, gaussians, out);
+  if (measures_disparity(principle)) return fill_correlated(key, gaussians, out);
   fill_independent(key, gaussians, out);
 }
 
