@@ -19,6 +19,26 @@ std::string overlap_class(double overlap) {
 
 }  // namespace
 
+namespace {
+
+struct FoundError {
+  double angle_deg, distance_m;
+  [[nodiscard]] bool is_right() const {
+    return angle_deg < kRightAngle_deg && distance_m < kRightDistance_m;
+  }
+};
+
+FoundError error_of(const RigidTransform& a_from_b, const RigidTransform& truth) {
+  const auto error = alignment::difference(a_from_b.inverse(), truth.inverse(), {0, 0, 0});
+  return {error.angle_rad * 180 / std::numbers::pi, error.distance_m};
+}
+
+}  // namespace
+
+bool is_right(const RigidTransform& a_from_b, const RigidTransform& truth) {
+  return error_of(a_from_b, truth).is_right();
+}
+
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -31,13 +51,12 @@ void AlignTally::add(const AlignCase& pair, const AlignAnswer& answer) {
   ++of_overlap.row.pairs;
   if (!answer) return;
   ++of_overlap.row.accepted;
-  const auto error = alignment::difference(answer->inverse(), pair.a_from_b.inverse(), {0, 0, 0});
-  const double angle_deg = error.angle_rad * 180 / std::numbers::pi;
-  const bool right = angle_deg < kRightAngle_deg && error.distance_m < kRightDistance_m;
+  const FoundError error = error_of(*answer, pair.a_from_b);
+  const bool right = error.is_right();
   of_overlap.row.right += right;
   of_overlap.row.accepted_wrong += !right;
   if (!right) return;
-  of_overlap.rotations_deg.push_back(angle_deg);
+  of_overlap.rotations_deg.push_back(error.angle_deg);
   of_overlap.translations_mm.push_back(1000 * error.distance_m);
 }
 

@@ -15,6 +15,9 @@ namespace roomcast::bench {
 /// a_from_b, or nothing when the method finds no pose.
 using AlignAnswer = std::optional<RigidTransform>;
 
+/// Whether an a_from_b is within kRightAngle_deg and kRightDistance_m of the truth.
+[[nodiscard]] bool is_right(const RigidTransform& a_from_b, const RigidTransform& truth);
+
 /// The reason why a pair has no answer.
 enum class Unanswerable { kOtherRooms, kRoomsOfOneKind };
 

@@ -8,7 +8,9 @@
 
 #include "bench/align/align_bench.h"
 #include "bench/align/corners_suite.h"
+#include "bench/align/frames_suite.h"
 #include "bench/align/fresh_suite.h"
+#include "bench/align/harsh_suite.h"
 #include "bench/align/join_suite.h"
 #include "bench/live_align/board_suite.h"
 #include "bench/live_align/moved_suite.h"
@@ -16,9 +18,11 @@
 #include "roomcast/alignment/pair/free_space.h"
 #include "roomcast/cli/bench_commands.h"
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/frames_rig.h"
 #include "roomcast/cli/recorded_views.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/recording/dataset/rig_json.h"
+#include "roomcast/simulator/scene/room.h"
 
 namespace roomcast::cli {
 namespace {
@@ -102,6 +106,20 @@ Status run_fresh(const bench::FreshSuiteOptions& options, bool json) {
   return {};
 }
 
+Result<std::vector<bench::FramesRigRow>> run_frames(const std::vector<std::string>& folders,
+                                                    const bench::FramesSuiteOptions& options,
+                                                    const bench::BenchProgress& progress) {
+  if (folders.empty())
+    return Error{ErrorCode::kInvalidArgument, "--suite frames needs --rig with recorded rigs"};
+  std::vector<bench::FramesRigRow> rows;
+  for (const std::string& folder : folders) {
+    const auto rig = read_frames_rig(fs::path(folder).lexically_normal());
+    if (!rig) return rig.error();
+    rows.push_back(bench::run_frames_suite(*rig, options, progress));
+  }
+  return rows;
+}
+
 /// Prints a suite's rows as a table or as JSON.
 template <class Rows>
 Status print(const Result<Rows>& rows, bool json) {
@@ -122,6 +140,10 @@ struct AlignBenchCommand {
   bench::MovedSuiteOptions moved;
   bench::PersonSuiteOptions person;
   bench::BoardSuiteOptions board;
+  bench::HarshSuiteOptions harsh;
+  std::string harsh_part = "all";
+  bench::FramesSuiteOptions frames;
+  std::vector<std::string> rigs;  // of the suite of frames
 };
 
 Status run(AlignBenchCommand command) {
@@ -130,10 +152,16 @@ Status run(AlignBenchCommand command) {
   command.board.rooms = command.person.rooms = command.corners.rooms = command.join.rooms =
       command.rooms;
   command.suite.scenes = command.moved.scenes = command.scenes;
+  command.harsh.seed = command.suite.seed;
+  command.harsh.part = bench::harsh_part_named(command.harsh_part);
   StatusLine line;
   const auto show = [&](std::string_view what) { line.show(what); };
   if (command.suite_name == "corners")
     return print(bench::run_corners_suite(command.corners, show), command.json);
+  if (command.suite_name == "harsh")
+    return print(bench::run_harsh_suite(command.harsh, show), command.json);
+  if (command.suite_name == "frames")
+    return print(run_frames(command.rigs, command.frames, show), command.json);
   if (command.suite_name == "join")
     return print(bench::run_join_suite(command.join, show), command.json);
   if (command.suite_name == "moved")
@@ -146,8 +174,35 @@ Status run(AlignBenchCommand command) {
   if (command.suite_name == "fresh") return run_fresh(command.suite, command.json);
   if (!command.folders.empty()) return run_bench(command.folders, command.json);
   return Error{ErrorCode::kInvalidArgument,
-               "give recordings with known poses, or --suite fresh, corners, join, moved, walker, "
-               "passers-by or board for simulated rooms"};
+               "give recordings with known poses, or --suite fresh, harsh, corners, join, moved, "
+               "walker, passers-by or board for simulated rooms, or --suite frames --rig"};
+}
+
+void add_harsh_options(CLI::App& command, AlignBenchCommand& values) {
+  command
+      .add_option("--part", values.harsh_part,
+                  "harsh: the kinds on which thresholds are chosen, those from which figures are "
+                  "taken, or all")
+      ->check(CLI::IsMember({"development", "judged", "all"}))
+      ->capture_default_str();
+  command.add_option("--kinds", values.harsh.kinds,
+                     "harsh: only these rooms, sensors (tof, structured, mixed) or ROOM/SENSORS");
+  command.add_option("--rigs-per-kind", values.harsh.rigs, "harsh: number of rigs of each kind")
+      ->check(CLI::Range(1, bench::kHarshRigsPerKind))
+      ->capture_default_str();
+  command.add_option("--sensors", values.harsh.sensors, "harsh: sensors of a rig")
+      ->check(CLI::Range(2, simulator::kMaxSimulatedSensors))
+      ->capture_default_str();
+}
+
+void add_frames_options(CLI::App& command, AlignBenchCommand& values) {
+  command.add_option("--rig", values.rigs, "frames: folders of recorded rigs");
+  command.add_option("--draws", values.frames.draws, "frames: draws from each rig")
+      ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
+  command.add_option("--frames", values.frames.frames, "frames: consecutive frames of a draw")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -164,9 +219,13 @@ void add_align_bench(CLI::App& bench, Command& chosen) {
                    "corners: errors of four sensors in the corners of a room; join: cost of a "
                    "fifth sensor that joins four; moved: detection of moved sensors among people; "
                    "walker: opposite sensors placed by one walking person; passers-by: by people "
-                   "in their usual activities; board: by a printed board")
-      ->check(
-          CLI::IsMember({"fresh", "corners", "join", "moved", "walker", "passers-by", "board"}));
+                   "in their usual activities; board: by a printed board; harsh: uncalibrated "
+                   "sensors in difficult rooms, kind by kind; frames: draws of consecutive frames "
+                   "of recorded rigs")
+      ->check(CLI::IsMember({"fresh", "corners", "join", "moved", "walker", "passers-by", "board",
+                             "harsh", "frames"}));
+  add_harsh_options(*command, *values);
+  add_frames_options(*command, *values);
   command->add_option("--pairs", values->suite.pairs, "Number of pairs in the suite")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
@@ -188,7 +247,9 @@ void add_align_bench(CLI::App& bench, Command& chosen) {
   command->add_flag("--json", values->json, "Print JSON");
   command->footer(
       "Example:\n  roomcast bench align recordings/lab recordings/kitchen --json\n"
-      "  roomcast bench align --suite fresh --pairs 200 --seed 5000");
+      "  roomcast bench align --suite fresh --pairs 200 --seed 5000\n"
+      "  roomcast bench align --suite harsh --part judged --kinds structured\n"
+      "  roomcast bench align --suite frames --rig recordings/lab recordings/kitchen");
   command->callback(
       [values, &chosen] { chosen = [values] { return finish("bench align", run(*values)); }; });
 }

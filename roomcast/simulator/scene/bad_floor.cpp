@@ -14,7 +14,7 @@ Surface& floor_of(Room& room) {
 }  // namespace
 
 std::optional<Room> try_glossy_floor(std::uint32_t seed) {
-  auto room = try_meeting(seed);
+  auto room = try_lab(seed);
   if (!room) return room;
   Surface& floor = floor_of(*room);
   floor.infrared = 0.12F;
@@ -24,7 +24,7 @@ std::optional<Room> try_glossy_floor(std::uint32_t seed) {
 }
 
 std::optional<Room> try_dark_floor(std::uint32_t seed) {
-  auto room = try_lab(seed);
+  auto room = try_meeting(seed);
   if (!room) return room;
   Surface& floor = floor_of(*room);
   floor.infrared = 0.05F;

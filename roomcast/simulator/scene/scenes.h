@@ -39,9 +39,9 @@ std::optional<Room> try_desk_rows(std::uint32_t seed);
 std::optional<Room> try_half_turn_hall(std::uint32_t seed);
 /// 15..17 x 13..15 m: sensors around its middle; the walls are beyond their range.
 std::optional<Room> try_open_plan(std::uint32_t seed);
-/// `meeting` on polished stone.
+/// `lab` on polished stone.
 std::optional<Room> try_glossy_floor(std::uint32_t seed);
-/// `lab` on black carpet.
+/// `meeting` on black carpet.
 std::optional<Room> try_dark_floor(std::uint32_t seed);
 
 }  // namespace roomcast::simulator

@@ -80,9 +80,9 @@ HarshRecording draw_harsh_recording(std::uint64_t seed) {
       hash_of(static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32));
   Random random(hash_of(folded, kRecording));
   HarshRecording recording;
-  recording.frames = kFewestHarshFrames + random.below(kMostHarshFrames - kFewestHarshFrames + 1);
+  recording.frames = kMinHarshFrames + random.below(kMaxHarshFrames - kMinHarshFrames + 1);
   recording.fps = static_cast<double>(
-      random.between(static_cast<float>(kSlowestHarshFps), static_cast<float>(kFastestHarshFps)));
+      random.between(static_cast<float>(kMinHarshFps), static_cast<float>(kMaxHarshFps)));
   return recording;
 }
 

@@ -30,7 +30,7 @@ struct HarshRecording {
 [[nodiscard]] HarshRecording draw_harsh_recording(std::uint64_t seed);
 
 inline constexpr int kHarshJpegQuality = 60;
-inline constexpr int kFewestHarshFrames = 3, kMostHarshFrames = 30;
-inline constexpr double kSlowestHarshFps = 5, kFastestHarshFps = 30;
+inline constexpr int kMinHarshFrames = 3, kMaxHarshFrames = 30;
+inline constexpr double kMinHarshFps = 5, kMaxHarshFps = 30;
 
 }  // namespace roomcast::simulator
