@@ -57,7 +57,11 @@ void print_json(const std::vector<HarshRow>& rows, std::ostream& out) {
                              {"said", row.ratios.size()},
                              {"within_twice_said", row.within_twice()},
                              {"median_error_over_said", median(row.ratios)},
-                             {"median_scale_error", median(row.scale_errors)}});
+                             {"median_scale_error", median(row.scale_errors)},
+                             {"errors_mm", row.errors_mm},
+                             {"errors_deg", row.errors_deg},
+                             {"errors_over_said", row.ratios},
+                             {"scale_errors", row.scale_errors}});
   }
   out << json.dump(1) << "\n";
 }

@@ -41,11 +41,19 @@ TEST(SimulatedSpec, a_bump_has_its_time_and_size) {
   EXPECT_TRUE(bump.rotation.isIdentity());
 }
 
+TEST(SimulatedSpec, harsh_sensors_are_mixed_or_of_a_kind) {
+  EXPECT_EQ(parse_simulated_spec("lab")->sensing.harsh, Harshness::kNone);
+  EXPECT_EQ(parse_simulated_spec("shelf-rows,harsh")->sensing.harsh, Harshness::kMixed);
+  EXPECT_EQ(parse_simulated_spec("lab,harsh=tof")->sensing.harsh, Harshness::kTimeOfFlight);
+  EXPECT_EQ(parse_simulated_spec("lab,harsh=structured")->sensing.harsh,
+            Harshness::kStructuredLight);
+}
+
 TEST(SimulatedSpec, an_unknown_option_is_named) {
   for (const char* text :
        {"lab,", "lab,fast", "lab,camera=leica", "lab,speed=", "lab,speed=-1", "lab,speed=11",
         "lab,speed=1x", "lab,color=grey", "lab,clean=yes", "lab,interference=nan", "lab,bump_at=-1",
-        "lab,bump_cm=101", "lab,bump_deg=x"}) {
+        "lab,bump_cm=101", "lab,bump_deg=x", "lab,harsh=", "lab,harsh=very"}) {
     const auto spec = parse_simulated_spec(text);
     ASSERT_FALSE(spec) << text;
     EXPECT_EQ(spec.error().code, ErrorCode::kInvalidArgument);

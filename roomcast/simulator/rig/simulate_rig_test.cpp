@@ -213,6 +213,30 @@ TEST_F(SimulateRig, same_seed_gives_the_same_bytes_on_one_and_on_two_threads) {
             one.at("s0/depth/000000.png"));
 }
 
+TEST_F(SimulateRig, the_truth_of_harsh_sensors_has_their_scales_and_lenses) {
+  SimulateRigOptions options = brief();
+  options.sensor_count = 2;
+  options.sensing.harsh = Harshness::kStructuredLight;
+  ASSERT_TRUE(simulate_rig(folder_, options));
+  std::ifstream file(folder_ / "truth/rig.json"), reported_file(folder_ / "rig.json");
+  const auto truth = nlohmann::json::parse(file), reported = nlohmann::json::parse(reported_file);
+  for (int i = 0; i < 2; ++i) {
+    SensingOptions sensing = options.sensing;
+    const SensorUnit unit = make_unit(sensing, options.seed, i);
+    const auto& sensor = truth["sensors"][static_cast<std::size_t>(i)];
+    EXPECT_EQ(sensor["depth_scale"].get<double>(), unit.depth_scale);
+    EXPECT_EQ(sensor["camera"], "kinect1");
+    EXPECT_FALSE(reported["sensors"][static_cast<std::size_t>(i)].contains("depth_scale"));
+    const fs::path camera = sensor["path"].get<std::string>() + "/camera.json";
+    std::ifstream exact_file(folder_ / "truth" / camera), declared_file(folder_ / camera);
+    const auto exact = nlohmann::json::parse(exact_file),
+               declared = nlohmann::json::parse(declared_file);
+    EXPECT_NEAR(exact["depth"]["fx"].get<double>(), unit.exact.depth.fx, 1e-6);
+    EXPECT_EQ(declared["depth"]["fx"].get<double>(), 585);
+  }
+  EXPECT_TRUE(recording::read_rig_json(folder_ / "truth/rig.json"));
+}
+
 TEST_F(SimulateRig, reports_every_picture) {
   SimulateRigOptions options = brief();
   options.sensor_count = 2;

@@ -61,14 +61,14 @@ void finish_walls(Room& room, FloorPlan& plan, Furnisher& furnisher, Random& ran
 
 std::optional<Room> try_shelf_rows(std::uint32_t seed) {
   Random random(seed);
-  Room room = empty_room({random.between(6.6F, 7.8F), 2.9F, random.between(5.4F, 6.2F)},
+  Room room = empty_room({random.between(5.8F, 6.6F), 2.9F, random.between(5.2F, 5.8F)},
                          {0.45F, 0.45F, 0.46F}, draw_sensor_mounts_around, random);
   FloorPlan plan = plan_of(room, random);
   add_plain_shell(room, random.chance(0.5F) ? FloorKind::kConcrete : FloorKind::kTerrazzo, random);
   Furnisher furnisher(room, plan, random);
   furnisher.panels();
   add_aisle_walker(room, plan, random, 1.6F);
-  const Vector3f shelf(random.between(0.8F, 1.0F), random.between(1.2F, 1.5F), 0.32F);
+  const Vector3f shelf(random.between(0.8F, 1.0F), random.between(0.95F, 1.2F), 0.32F);
   const std::uint32_t books = random.seed();
   fill_rows(
       {2, 3, shelf, shelf.x() + 0.04F, random.between(0.95F, 1.15F)}, plan,
@@ -79,7 +79,7 @@ std::optional<Room> try_shelf_rows(std::uint32_t seed) {
 
 std::optional<Room> try_desk_rows(std::uint32_t seed) {
   Random random(seed);
-  Room room = empty_room({random.between(6.4F, 7.6F), 2.8F, random.between(5.4F, 6.2F)},
+  Room room = empty_room({random.between(5.8F, 6.6F), 2.8F, random.between(5.0F, 5.6F)},
                          {0.46F, 0.46F, 0.45F}, draw_sensor_mounts_in_corners, random);
   FloorPlan plan = plan_of(room, random);
   add_plain_shell(room, random.chance(0.5F) ? FloorKind::kCarpet : FloorKind::kBoards, random);

@@ -80,7 +80,7 @@ std::optional<Room> try_half_turn_hall(std::uint32_t seed) {
   Random random(seed);
   const auto whole_tiles = [](float size_m) { return 0.4F * std::round(size_m / 0.4F); };
   Room room = empty_room(
-      {whole_tiles(random.between(6.4F, 7.6F)), 3.0F, whole_tiles(random.between(5.2F, 6.4F))},
+      {whole_tiles(random.between(5.8F, 6.8F)), 3.0F, whole_tiles(random.between(4.8F, 5.6F))},
       {0.45F, 0.45F, 0.45F}, draw_sensor_mounts_in_corners, random);
   FloorPlan plan = plan_of(room, random);
   add_even_shell(room, random);

@@ -19,11 +19,13 @@ class Rooms : public testing::TestWithParam<std::string_view> {
  protected:
   Room room_ = build_room(GetParam(), 1).value();
 };
-INSTANTIATE_TEST_SUITE_P(Scenes, Rooms, testing::ValuesIn(kSceneNames), [](const auto& scene) {
+std::string test_name_of(const testing::TestParamInfo<std::string_view>& scene) {
   std::string name(scene.param);
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
-});
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, Rooms, testing::ValuesIn(kSceneNames), test_name_of);
+INSTANTIATE_TEST_SUITE_P(HarshScenes, Rooms, testing::ValuesIn(kHarshSceneNames), test_name_of);
 
 TEST_P(Rooms, triangles_have_known_vertices_and_surfaces) {
   const TriangleMesh& mesh = room_.mesh;
@@ -101,7 +103,8 @@ TEST_P(Rooms, the_same_seed_is_the_same_room_and_another_seed_another_layout) {
     const Eigen::Vector2f moved = room_.footprints[i].centre_m - other.footprints[i].centre_m;
     elsewhere += moved.norm() > 0.1F ? 1 : 0;
   }
-  const bool rows = GetParam() == "mirror-tiles";  // chairs in rows are placed as rows
+  const bool rows = GetParam() == "mirror-tiles" || GetParam() == "shelf-rows" ||
+                    GetParam() == "desk-rows";  // what stands in rows is placed as rows
   EXPECT_GE(elsewhere, rows ? 0 : 3);
 }
 
@@ -183,6 +186,85 @@ TEST(Room, mirror_tiles_without_anything_unique_is_its_own_half_turn) {
   }
   EXPECT_GT(symmetric, 0);
   EXPECT_GT(with_something, 0);
+}
+
+/// How often a place of the mesh occurs again at this shift, and after half a turn.
+struct Repetition {
+  std::size_t shifted = 0, turned = 0, places = 0;
+};
+
+Repetition repetition_of(const Room& room, float shift_x_m) {
+  const auto key = [](float x, float y, float z) {
+    const auto cell = [](float value) { return std::lround(value * 100.0F); };
+    return std::array<long, 3>{cell(x), cell(y), cell(z)};
+  };
+  std::set<std::array<long, 3>> cells;
+  for (const auto& p : room.mesh.positions) cells.insert(key(p.x(), p.y(), p.z()));
+  Repetition found;
+  const auto near = [&](float x, float y, float z) {
+    for (const float dx : {-0.01F, 0.0F, 0.01F}) {
+      for (const float dz : {-0.01F, 0.0F, 0.01F}) {
+        if (cells.contains(key(x + dx, y, z + dz))) return true;
+      }
+    }
+    return false;
+  };
+  for (const auto& p : room.mesh.positions) {
+    ++found.places;
+    found.shifted += near(p.x() + shift_x_m, p.y(), p.z());
+    found.turned += near(-p.x(), p.y(), -p.z());
+  }
+  return found;
+}
+
+TEST(Room, rows_repeat_from_piece_to_piece) {
+  for (const char* name : {"shelf-rows", "desk-rows"}) {
+    const Room room = build_room(name, 3).value();
+    ASSERT_GE(room.footprints.size(), 6U) << name;
+    std::size_t most = 0, places = 1;
+    for (const Footprint& other : room.footprints) {
+      const Eigen::Vector2f shift = other.centre_m - room.footprints.front().centre_m;
+      if (std::abs(shift.y()) > 0.01F || std::abs(shift.x()) < 0.1F) continue;
+      const Repetition found = repetition_of(room, shift.x());
+      most = std::max(most, found.shifted);
+      places = found.places;
+    }
+    EXPECT_GT(static_cast<double>(most) / static_cast<double>(places), 0.4) << name;
+  }
+}
+
+TEST(Room, a_half_turn_hall_looks_alike_after_half_a_turn) {
+  int with_something = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const Room room = build_room("half-turn-hall", seed).value();
+    const Repetition found = repetition_of(room, 0);
+    with_something += room.unique_things > 0;
+    const double same = static_cast<double>(found.turned) / static_cast<double>(found.places);
+    if (room.unique_things == 0) {
+      EXPECT_GT(same, 0.97) << seed;
+    } else {
+      EXPECT_GT(same, 0.3) << seed;
+    }
+  }
+  EXPECT_GT(with_something, 0);
+}
+
+TEST(Room, the_walls_of_an_open_plan_are_out_of_reach) {
+  const Room room = build_room("open-plan", 1).value();
+  for (const SensorMount& mount : room.sensor_mounts) {
+    const Eigen::Vector3f ahead = (mount.target_m - mount.eye_m).normalized();
+    const float to_x = 0.5F * room.size_m.x() - mount.eye_m.x() * (ahead.x() > 0 ? 1.0F : -1.0F);
+    const float to_z = 0.5F * room.size_m.z() - mount.eye_m.z() * (ahead.z() > 0 ? 1.0F : -1.0F);
+    EXPECT_GT(std::min(to_x / std::abs(ahead.x()), to_z / std::abs(ahead.z())), 8.0F);
+  }
+}
+
+TEST(Room, bad_floors_return_little_light) {
+  for (const char* name : {"glossy-floor", "dark-floor"}) {
+    const Room room = build_room(name, 1).value();
+    const Surface& floor = room.surfaces[room.mesh.surface.front()];
+    EXPECT_LT(infrared_back(floor, 0.5F), 0.1F) << name;
+  }
 }
 
 TEST(Room, no_name_is_the_living_room) {

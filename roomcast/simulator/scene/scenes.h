@@ -31,9 +31,9 @@ std::optional<Room> try_corners(std::uint32_t seed);
 
 // Rooms that are hard to align (kHarshSceneNames).
 
-/// 6.6..7.8 x 5.4..6.2 m: rows of equal shelves on both sides of an aisle.
+/// 5.8..6.6 x 5.2..5.8 m: rows of equal shelves on both sides of an aisle.
 std::optional<Room> try_shelf_rows(std::uint32_t seed);
-/// 6.4..7.6 x 5.4..6.2 m: two rows of equal desks and chairs.
+/// 5.8..6.6 x 5.0..5.6 m: two rows of equal desks and chairs.
 std::optional<Room> try_desk_rows(std::uint32_t seed);
 /// Looks alike after half a turn, but for 0 to 3 unique objects.
 std::optional<Room> try_half_turn_hall(std::uint32_t seed);

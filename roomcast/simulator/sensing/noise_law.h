@@ -16,7 +16,7 @@
 
 namespace roomcast::simulator {
 
-/// A unit of this model as bad as drawn, with less range.
+/// A unit of this model as bad as drawn, with a range of its own.
 [[nodiscard]] SensorProfile with_drawn_noise(SensorProfile profile, Random& random);
 
 }  // namespace roomcast::simulator
