@@ -75,6 +75,11 @@ describe('a room of one sensor, or none', () => {
     await page.keyboard.down('KeyW');
     await until('it walks', viewOf, (view) => distance(view.position, start.position) > 0.2);
     await page.keyboard.up('KeyW');
+    const ahead = await viewOf();
+    await page.keyboard.press('ArrowLeft');
+    await page.keyboard.press('ArrowUp');
+    assert.ok((await viewOf()).yaw > ahead.yaw + 0.03, 'an arrow key turns');
+    assert.ok((await viewOf()).pitch > ahead.pitch + 0.03, 'an arrow key tilts');
     const walked = await viewOf();
     await page.mouse.move(200, 300);
     await page.mouse.down();

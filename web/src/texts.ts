@@ -168,13 +168,14 @@ export const panelTexts = {
     ['drag', 'turn around the middle'],
     ['right drag', 'shift'],
     ['wheel', 'nearer, farther'],
-    ['W A S D, arrows', 'walk (Shift: faster)'],
+    ['W A S D', 'walk (Shift: faster)'],
+    ['arrows', 'turn, look up and down'],
     ['Q E', 'down, up'],
     ['R', 'back to the start'],
     ['1 finger', 'look around'],
     ['2 fingers', 'shift and zoom'],
   ] as const,
-  reset: 'Back to the start',
+  reset: 'Back to the start (R)',
   running: 'Running this room',
 };
 

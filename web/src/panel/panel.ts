@@ -156,7 +156,7 @@ export class Panel {
       section(texts.sensors, this.sensors.root),
       section(texts.people, this.people),
       this.roomChoice,
-      section(texts.drawnAs, this.modes.root),
+      section(texts.drawnAs, this.modes.root, this.wayBack()),
       section(headsetTexts.title, this.headset.root),
       section(texts.theme, this.themes.root),
       this.help(),
@@ -182,10 +182,14 @@ export class Panel {
 
   private help(): HTMLElement {
     const rows = texts.keys.map(([keys, what]) => element('div', {}, element('dt', {}, keys), element('dd', {}, what)));
-    const reset = element('button', { type: 'button', class: 'plain' }, texts.reset);
-    reset.addEventListener('click', () => this.events.reset());
     const keys = element('dl', { class: 'keys' }, ...rows);
-    return element('details', { class: 'help' }, element('summary', {}, texts.moving), keys, reset);
+    return element('details', { class: 'help' }, element('summary', {}, texts.moving), keys);
+  }
+
+  private wayBack(): HTMLElement {
+    const reset = element('button', { type: 'button', class: 'plain back' }, texts.reset);
+    reset.addEventListener('click', () => this.events.reset());
+    return reset;
   }
 
   private signIn(): HTMLElement {

@@ -13,8 +13,9 @@ export interface ViewState {
 type Part = Record<'x' | 'y' | 'z' | 'qx' | 'qy' | 'qz' | 'qw', number>;
 
 export const maxPitch = 1.55; // a little less than straight up
+export const lowestEye_m = 0.1; // above the floor
 const minDistance_m = 0.3;
-const maxDistance_m = 60;
+const maxDistance_m = 25; // a room is still in view
 
 function clamp(value: number, low: number, high: number): number {
   return Math.min(high, Math.max(low, value));
@@ -65,10 +66,12 @@ export function look(view: ViewState, dYaw: number, dPitch: number): ViewState {
   return { ...view, yaw: view.yaw + dYaw, pitch: clamp(view.pitch + dPitch, -maxPitch, maxPitch) };
 }
 
-/** Moves around the pivot, which stays at the same place on the screen. */
+/** Moves around the pivot, which stays at the same place on the screen. The eye does not go under the floor. */
 export function orbit(view: ViewState, dYaw: number, dPitch: number): ViewState {
-  const turned = look(view, dYaw, dPitch);
-  return { ...turned, position: pivot(view).sub(direction(turned).multiplyScalar(view.distance)) };
+  const centre = pivot(view);
+  const steepest = Math.asin(clamp((centre.y - lowestEye_m) / view.distance, -1, 1)); // there the eye touches the floor
+  const turned = look(view, dYaw, Math.min(dPitch, Math.max(0, steepest - view.pitch)));
+  return { ...turned, position: centre.sub(direction(turned).multiplyScalar(view.distance)) };
 }
 
 /** Moves parallel to the picture, metres. */
@@ -77,10 +80,14 @@ export function pan(view: ViewState, right_m: number, up_m: number): ViewState {
   return { ...view, position: move.add(view.position) };
 }
 
-/** Moves to `factor` times the distance from the pivot; at the minimum distance, pushes the pivot ahead. */
+/**
+ * Moves to `factor` times the distance from the pivot, no farther than the room is in view. At the minimum distance it
+ * pushes the pivot ahead.
+ */
 export function dolly(view: ViewState, factor: number): ViewState {
-  const distance = clamp(view.distance * factor, minDistance_m, maxDistance_m);
-  const forward_m = view.distance * (1 - factor);
+  const wanted_m = view.distance * factor;
+  const distance = clamp(wanted_m, minDistance_m, maxDistance_m);
+  const forward_m = view.distance - Math.min(wanted_m, maxDistance_m);
   return { ...view, distance, position: direction(view).multiplyScalar(forward_m).add(view.position) };
 }
 
