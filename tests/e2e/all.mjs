@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs all browser test suites one after the other. In parallel they would compete for the CPU, and some measure time.
 import './blend.test.mjs';
+import './blocked.test.mjs';
 import './codec.test.mjs';
 import './late_join.test.mjs';
 import './memory.test.mjs';

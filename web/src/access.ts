@@ -2,14 +2,13 @@
 // This page's credential: a one-time code or a token. Both arrive in the part of a link after the #, which is not sent
 // when the page is fetched. The page removes that part from the address at once, and stores only what must survive a
 // reload, for this tab alone.
+import type { Store } from './storage';
 
 export interface Access {
   room: string; // room of the credential, or empty
   code: string;
   token: string;
 }
-
-type Store = Pick<Storage, 'getItem' | 'setItem' | 'removeItem'>;
 
 const storeKey = 'roomcast.access';
 const longest = 4096; // characters of a token

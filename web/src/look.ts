@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dark or light theme: the system's setting, or the user's choice, which is stored in this browser.
+import { keptIn } from './storage';
 
 export const themes = ['auto', 'dark', 'light'] as const;
 export type Theme = (typeof themes)[number];
@@ -8,10 +9,11 @@ const storeKey = 'roomcast.theme';
 
 export class Look {
   private chosen: Theme;
+  private readonly store = keptIn(() => localStorage).store;
   private readonly system = matchMedia('(prefers-color-scheme: light)');
 
   constructor(private readonly changed: (isLight: boolean) => void) {
-    this.chosen = themes.find((theme) => theme === localStorage.getItem(storeKey)) ?? 'auto';
+    this.chosen = themes.find((theme) => theme === this.store.getItem(storeKey)) ?? 'auto';
     this.system.addEventListener('change', () => this.apply());
   }
 
@@ -21,7 +23,7 @@ export class Look {
 
   choose(theme: Theme): void {
     this.chosen = theme;
-    localStorage.setItem(storeKey, theme);
+    this.store.setItem(storeKey, theme);
     this.apply();
   }
 

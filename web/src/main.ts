@@ -14,10 +14,11 @@ import { Progress } from './panel/progress';
 import type { RoomRoster } from './room_roster';
 import { RoomState } from './room_state';
 import { SensorNudges } from './sensor_nudges';
+import { keptIn } from './storage';
 import { pageTime_ms, type FromWorker, type ViewFrame } from './stream/protocol';
 import { RoomLink } from './stream/room_link';
 import { TestApi } from './test_api';
-import { problemTexts } from './texts';
+import { consoleTexts, problemTexts } from './texts';
 import type { DrawMode } from './view/draw_mode';
 import { Navigation } from './view/navigation';
 import { alongView, standingLike } from './view/nudge';
@@ -210,7 +211,7 @@ class Page {
     this.state.welcome = welcome;
     document.title = `${welcome.room || 'room'} · roomcast`;
     if (welcome.token) this.access.token = welcome.token;
-    if (this.access.token) rememberAccess(this.access, sessionStorage);
+    if (this.access.token) rememberAccess(this.access, tabStorage.store);
     void this.offerConsole(welcome.mayPlace);
     this.tellPosePublisher();
   }
@@ -228,9 +229,12 @@ class Page {
     this.panel.offerRooms(await this.api.rooms().catch(() => []));
   }
 
-  private comeBackWith(token: string): void {
-    rememberAccess({ room: this.state.welcome?.room ?? this.options.room, code: '', token }, sessionStorage);
+  /** Loads the page again with the token. Returns why that is not possible, or nothing. */
+  private comeBackWith(token: string): string {
+    if (!tabStorage.outlivesPage) return consoleTexts.access.notKept;
+    rememberAccess({ room: this.state.welcome?.room ?? this.options.room, code: '', token }, tabStorage.store);
     location.reload();
+    return '';
   }
 
   private followRoster(roster: RoomRoster): void {
@@ -314,7 +318,8 @@ function navigator_xr(): XRSystem | undefined {
   return (navigator as { xr?: XRSystem }).xr;
 }
 
+const tabStorage = keptIn(() => sessionStorage);
 const options = parseOptions(location.search);
-const access = accessTo(options.room, readAccess(location.hash, sessionStorage));
+const access = accessTo(options.room, readAccess(location.hash, tabStorage.store));
 if (location.hash !== '') history.replaceState(null, '', location.pathname + location.search);
 new Page(options, access);

@@ -87,6 +87,9 @@ export const consoleTexts = {
     signIn: 'Token',
     signInHelp: 'A token from the hub’s operator. It is kept for this tab only.',
     enter: 'Use it',
+    notKept:
+      'This browser keeps nothing for this page (cookies are blocked), so the token would be lost at once. Permit it to ' +
+      'keep data for this page, or ask for a link.',
   },
   recording: {
     start: 'Start recording',

@@ -24,7 +24,8 @@ export interface PanelEvents {
   sensorSwitched(sensor: number, visible: boolean): void;
   reset(): void;
   consoleWanted(): void;
-  tokenGiven(token: string): void;
+  /** Returns why the token cannot be used, or nothing. */
+  tokenGiven(token: string): string;
   headset: HeadsetControlEvents;
 }
 
@@ -195,10 +196,11 @@ export class Panel {
   private signIn(): HTMLElement {
     const { signIn, signInHelp, enter } = consoleTexts.access;
     const token = textField(longestToken);
-    const form = element('form', {}, labelled(signIn, token), element('p', {}, signInHelp), submit(enter));
+    const said = element('p', { role: 'status' });
+    const form = element('form', {}, labelled(signIn, token), element('p', {}, signInHelp), submit(enter), said);
     form.addEventListener('submit', (event) => {
       event.preventDefault();
-      if (token.value.trim() !== '') this.events.tokenGiven(token.value.trim());
+      if (token.value.trim() !== '') setText(said, this.events.tokenGiven(token.value.trim()));
     });
     return element('details', { class: 'help' }, element('summary', {}, texts.running), form);
   }
