@@ -13,6 +13,7 @@ export class RecordingView {
   private readonly said = element('span', { role: 'status' });
   private readonly figures = element('span', { class: 'note' });
   private isOn = false;
+  private refusal = ''; // of the last click, until the next one or until a recording begins
 
   constructor(
     private readonly api: HubApi,
@@ -24,20 +25,22 @@ export class RecordingView {
   }
 
   async refresh(): Promise<void> {
-    await this.trying(this.api.recording(this.room()));
+    try {
+      this.show(await this.api.recording(this.room()));
+    } catch (error) {
+      setText(this.said, consoleTexts.failed((error as Error).message));
+    }
   }
 
   private async toggle(): Promise<void> {
     this.button.disabled = true;
-    await this.trying(this.isOn ? this.api.stopRecording(this.room()) : this.api.startRecording(this.room()));
-  }
-
-  private async trying(asked: Promise<HubRecording>): Promise<void> {
+    this.refusal = '';
     try {
-      this.show(await asked);
+      this.show(await (this.isOn ? this.api.stopRecording(this.room()) : this.api.startRecording(this.room())));
     } catch (error) {
       this.button.disabled = false;
-      setText(this.said, consoleTexts.failed((error as Error).message));
+      this.refusal = consoleTexts.failed((error as Error).message);
+      setText(this.said, this.refusal);
     }
   }
 
@@ -46,7 +49,8 @@ export class RecordingView {
     this.button.disabled = state === 'starting' || state === 'stopping';
     setText(this.button, this.isOn ? texts.stop : texts.start);
     this.root.classList.toggle('on', this.isOn);
-    setText(this.said, state === 'failed' ? texts.failed(problem ?? '') : texts.states[state]);
+    if (state === 'starting' || state === 'on') this.refusal = '';
+    setText(this.said, this.refusal || (state === 'failed' ? texts.failed(problem ?? '') : texts.states[state]));
     const name = file?.split('/').at(-1);
     setText(this.figures, name ? texts.file(name, duration(seconds), megabytes(bytes)) : '');
     this.figures.title = file ?? '';
