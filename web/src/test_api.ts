@@ -139,7 +139,8 @@ export class TestApi {
   }
 
   setVisible(sensor: number, visible: boolean): void {
-    this.parts.stage.setVisible(sensor, visible);
+    const entry = this.parts.state.roster?.sensors.find(({ id }) => id === sensor);
+    if (entry) this.parts.stage.setVisible(entry.name, visible);
   }
 
   /** The colour at a pixel as the room is drawn now, and the sensor whose surface is frontmost there (or null). */

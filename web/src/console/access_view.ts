@@ -2,8 +2,9 @@
 // The console's access tab: makes links and tokens, shows each of them once as text and as a QR code, lists and revokes
 // them.
 import { element, setText } from '../panel/element';
-import { consoleTexts } from '../texts';
 import { checkbox, choice, labelled, submit, textField } from '../panel/form';
+import { KeyedList } from '../panel/keyed_list';
+import { consoleTexts } from '../texts';
 import type { HubApi, HubToken, NewToken, Role } from './hub_api';
 import { qrCode } from './qr_code';
 
@@ -19,6 +20,12 @@ export class AccessView {
   private readonly made = element('div', { class: 'made', 'aria-live': 'polite' });
   private readonly trouble = element('p', { class: 'trouble', role: 'alert' });
   private readonly list = element('ul', { class: 'tokens' });
+  private readonly tokens = new KeyedList<HubToken>(
+    this.list,
+    ({ id, revoked, once }) => `${id} ${revoked} ${once}`,
+    (token) => ({ root: this.item(token), update: () => undefined }),
+    element('li', { class: 'empty' }, texts.none),
+  );
 
   constructor(
     private readonly api: HubApi,
@@ -96,8 +103,7 @@ export class AccessView {
   }
 
   private showList(tokens: readonly HubToken[]): void {
-    const items = tokens.filter(({ room }) => room === this.room() || room === '*').map((token) => this.item(token));
-    this.list.replaceChildren(...(items.length > 0 ? items : [element('li', { class: 'empty' }, texts.none)]));
+    this.tokens.show(tokens.filter(({ room }) => room === this.room() || room === '*'));
   }
 
   private item({ id, role, name, expires_at, revoked, once }: HubToken): HTMLElement {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The console's people tab: the viewers, their picture quality, and, for admins, a way to remove a viewer.
 import type { ViewerEntry } from '../gen/control_pb';
-import { element } from '../panel/element';
+import { element, setText } from '../panel/element';
 import { milliseconds, perSecond } from '../panel/format';
+import { KeyedList, type Row } from '../panel/keyed_list';
 import { consoleTexts, panelTexts } from '../texts';
 import type { HubViewer } from './hub_api';
 
@@ -10,10 +11,17 @@ const texts = consoleTexts.people;
 
 export type KnownViewer = Pick<HubViewer, 'id'> & Partial<HubViewer>;
 
+interface Person {
+  id: number;
+  name: string;
+  isSelf: boolean;
+  facts: KnownViewer | undefined;
+}
+
 export class PeopleView {
   readonly root = element('div', { class: 'people-table' });
   private readonly rows = element('tbody');
-  private shown = '';
+  private readonly list: KeyedList<Person>;
 
   constructor(private readonly sendAway: (viewer: number) => void) {
     const heads = [texts.name, texts.fps, texts.latency, texts.dropped].map((text) =>
@@ -21,29 +29,33 @@ export class PeopleView {
     );
     const empty = element('td', { class: 'quiet' });
     this.root.append(element('table', {}, element('thead', {}, element('tr', {}, ...heads, empty)), this.rows));
+    this.list = new KeyedList(this.rows, ({ id }) => String(id), (person) => this.row(person));
   }
 
   /** `known`: the data that the hub reports to admins, and the page's data about itself. */
   show(viewers: readonly ViewerEntry[], known: readonly KnownViewer[], self: number | undefined): void {
-    const rows = viewers.map(({ id, name }) => {
+    const people = viewers.map(({ id, name }) => {
+      const isSelf = id === self;
       const facts = known.find((viewer) => viewer.id === id);
-      return { id, name: (name || panelTexts.person(id)) + (id === self ? texts.you : ''), facts };
+      return { id, name: (name || panelTexts.person(id)) + (isSelf ? texts.you : ''), isSelf, facts };
     });
-    const key = JSON.stringify(rows);
-    if (key === this.shown) return;
-    this.shown = key;
-    const made = rows.map(({ id, name, facts }) =>
-      element(
-        'tr',
-        {},
-        element('th', { scope: 'row' }, name),
-        element('td', {}, facts?.shown_fps === undefined ? '–' : `${perSecond(facts.shown_fps)} fps`),
-        element('td', {}, milliseconds(facts?.latency_ms)),
-        element('td', {}, facts?.sets_dropped === undefined ? '–' : String(facts.sets_dropped)),
-        element('td', {}, facts?.sets_dropped !== undefined && id !== self ? this.wayOut(id, name) : undefined),
-      ),
-    );
-    this.rows.replaceChildren(...made);
+    this.list.show(people);
+  }
+
+  private row({ id, name: first }: Person): Row<Person> {
+    const name = element('th', { scope: 'row' });
+    const [fps, latency, dropped] = [element('td'), element('td'), element('td')];
+    const wayOut = this.wayOut(id, first);
+    const root = element('tr', {}, name, fps, latency, dropped, element('td', {}, wayOut));
+    const update = (person: Person) => {
+      const { shown_fps, latency_ms, sets_dropped } = person.facts ?? {};
+      setText(name, person.name);
+      setText(fps, shown_fps === undefined ? '–' : `${perSecond(shown_fps)} fps`);
+      setText(latency, milliseconds(latency_ms));
+      setText(dropped, sets_dropped === undefined ? '–' : String(sets_dropped));
+      wayOut.hidden = sets_dropped === undefined || person.isSelf;
+    };
+    return { root, update };
   }
 
   private wayOut(viewer: number, name: string): HTMLElement {

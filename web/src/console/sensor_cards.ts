@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The console's sensors tab: for each sensor its picture, its traffic over time, and the accuracy of its clock.
 import { element, setText } from '../panel/element';
+import { KeyedList, type Row } from '../panel/keyed_list';
 import { placementTag } from '../panel/placement_tag';
 import type { RoomSensor } from '../room_roster';
 import type { RoomState } from '../room_state';
@@ -11,7 +12,7 @@ import { Chart } from './chart';
 import type { HubSensor } from './hub_api';
 import { Thumbnail } from './thumbnail';
 
-class SensorCard {
+class SensorCard implements Row<RoomSensor> {
   readonly root = element('article', { class: 'card' });
   private readonly thumbnail: Thumbnail;
   private readonly clock = element('p', { class: 'note' });
@@ -26,7 +27,10 @@ class SensorCard {
   private clockError_ms: number | undefined;
   private leftOutBefore: number | undefined;
 
-  constructor(entry: RoomSensor, forget: (sensor: string) => void) {
+  constructor(
+    public entry: RoomSensor,
+    forget: (sensor: string) => void,
+  ) {
     const label = `${texts.forget}: ${entry.name}`;
     this.wayOut = element('button', { type: 'button', class: 'plain', 'aria-label': label }, texts.forget);
     this.wayOut.addEventListener('click', () => forget(entry.name));
@@ -43,13 +47,18 @@ class SensorCard {
     );
   }
 
+  update(entry: RoomSensor): void {
+    this.entry = entry;
+  }
+
   offer(frame: ViewFrame, now_ms: number): void {
     this.clockError_ms = frame.captureError_ms;
     this.thumbnail.offer(frame, now_ms);
   }
 
   /** Called once a second. `hub` is the data that the hub reports to admins. */
-  sample(entry: RoomSensor, state: RoomState, hub: HubSensor | undefined): void {
+  sample(state: RoomState, hub: HubSensor | undefined): void {
+    const { entry } = this;
     const traffic = state.status?.sensors.find(({ sensor }) => sensor === entry.id);
     const live = entry.online && traffic !== undefined;
     const room_ms = state.roomTime_ms();
@@ -74,34 +83,23 @@ class SensorCard {
 
 export class SensorCards {
   readonly root = element('div', { class: 'cards' });
-  private readonly cards = new Map<number, { card: SensorCard; name: string }>();
+  private readonly list: KeyedList<RoomSensor, SensorCard>;
 
   /** `forget` removes a sensor that has left; for admins. */
-  constructor(private readonly forget: (sensor: string) => void) {}
+  constructor(forget: (sensor: string) => void) {
+    const none = element('p', { class: 'empty' }, texts.noSensors);
+    const make = (entry: RoomSensor) => new SensorCard(entry, forget);
+    this.list = new KeyedList(this.root, ({ id, name }) => `${id} ${name}`, make, none);
+  }
 
   offer(frames: readonly ViewFrame[], now_ms: number): void {
-    for (const frame of frames) this.cards.get(frame.sensor)?.card.offer(frame, now_ms);
+    for (const card of this.list.shown) {
+      for (const frame of frames) if (frame.sensor === card.entry.id) card.offer(frame, now_ms);
+    }
   }
 
   sample(entries: readonly RoomSensor[], state: RoomState, hubSensors: readonly HubSensor[]): void {
-    this.follow(entries);
-    for (const entry of entries) {
-      const hub = hubSensors.find(({ id }) => id === entry.id);
-      this.cards.get(entry.id)!.card.sample(entry, state, hub);
-    }
-  }
-
-  private follow(entries: readonly RoomSensor[]): void {
-    const known = [...this.cards].map(([id, { name }]) => `${id} ${name}`).join();
-    if (known === entries.map(({ id, name }) => `${id} ${name}`).join() && this.root.childElementCount > 0) return;
-    const before = new Map(this.cards);
-    this.cards.clear();
-    for (const entry of entries) {
-      const kept = before.get(entry.id);
-      const stays = kept?.name === entry.name;
-      this.cards.set(entry.id, stays ? kept : { card: new SensorCard(entry, this.forget), name: entry.name });
-    }
-    const roots = [...this.cards.values()].map(({ card }) => card.root);
-    this.root.replaceChildren(...(roots.length > 0 ? roots : [element('p', { class: 'empty' }, texts.noSensors)]));
+    this.list.show(entries);
+    for (const card of this.list.shown) card.sample(state, hubSensors.find(({ id }) => id === card.entry.id));
   }
 }

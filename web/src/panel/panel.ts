@@ -21,7 +21,7 @@ const longestToken = 4096;
 export interface PanelEvents {
   modeChosen(mode: DrawMode): void;
   themeChosen(theme: Theme): void;
-  sensorSwitched(sensor: number, visible: boolean): void;
+  sensorSwitched(sensor: string, visible: boolean): void;
   reset(): void;
   consoleWanted(): void;
   /** Returns why the token cannot be used, or nothing. */

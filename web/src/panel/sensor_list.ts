@@ -6,55 +6,67 @@ import { panelTexts } from '../texts';
 import { sensorColor } from '../view/sensor_color';
 import { element, setText } from './element';
 import { megabytes, milliseconds, perSecond } from './format';
+import { KeyedList, type Row } from './keyed_list';
 import { placementTag } from './placement_tag';
 
-interface Row {
+interface SensorRow extends Row<RoomSensor> {
   entry: RoomSensor;
   figures: HTMLElement;
 }
 
 export class SensorList {
   readonly root = element('ul', { class: 'sensors' });
-  private readonly switchedOff = new Set<number>();
-  private rows: Row[] = [];
+  private readonly switchedOff = new Set<string>(); // names: after a restart the hub may number sensors differently
+  private readonly list: KeyedList<RoomSensor, SensorRow>;
 
   constructor(
     private readonly state: RoomState,
-    private readonly switched: (sensor: number, visible: boolean) => void,
-  ) {}
+    private readonly switched: (sensor: string, visible: boolean) => void,
+  ) {
+    const none = element('li', { class: 'none' }, panelTexts.noSensors);
+    this.list = new KeyedList(this.root, ({ id, name }) => `${id} ${name}`, (entry) => this.row(entry), none);
+  }
 
   rebuild(): void {
     const entries = [...(this.state.roster?.sensors ?? [])].sort((a, b) =>
       a.name.localeCompare(b.name, 'en', { numeric: true }),
     );
-    this.rows = entries.map((entry) => ({ entry, figures: element('span', { class: 'rates' }) }));
-    const items = this.rows.map((row) => this.item(row));
-    this.root.replaceChildren(...(items.length > 0 ? items : [element('li', { class: 'none' }, panelTexts.noSensors)]));
+    this.list.show(entries);
   }
 
   refresh(): void {
     const room_ms = this.state.roomTime_ms();
-    for (const { entry, figures } of this.rows) {
-      const traffic = this.state.status?.sensors.find((counts) => counts.sensor === entry.id);
-      const captured = traffic?.lastCapture_ms;
-      const age = room_ms === undefined || captured === undefined ? undefined : Math.max(0, room_ms - captured);
-      const fps = perSecond(this.state.sensorFps(entry.id));
-      const rate = megabytes(this.state.sensorBytesPerSecond(entry.id));
-      setText(figures, entry.online ? `${fps} fps · ${rate} MB/s · ${milliseconds(age)}` : panelTexts.gone);
-    }
+    for (const row of this.list.shown) this.refreshRow(row, room_ms);
   }
 
-  private item({ entry, figures }: Row): HTMLElement {
+  private refreshRow({ entry, figures }: SensorRow, room_ms: number | undefined): void {
+    const traffic = this.state.status?.sensors.find((counts) => counts.sensor === entry.id);
+    const captured = traffic?.lastCapture_ms;
+    const age = room_ms === undefined || captured === undefined ? undefined : Math.max(0, room_ms - captured);
+    const fps = perSecond(this.state.sensorFps(entry.id));
+    const rate = megabytes(this.state.sensorBytesPerSecond(entry.id));
+    setText(figures, entry.online ? `${fps} fps · ${rate} MB/s · ${milliseconds(age)}` : panelTexts.gone);
+  }
+
+  private row(entry: RoomSensor): SensorRow {
     const box = element('input', { type: 'checkbox', 'aria-label': panelTexts.showSensor(entry.name) });
-    box.checked = !this.switchedOff.has(entry.id);
+    box.checked = !this.switchedOff.has(entry.name);
     box.addEventListener('change', () => {
-      if (box.checked) this.switchedOff.delete(entry.id);
-      else this.switchedOff.add(entry.id);
-      this.switched(entry.id, box.checked);
+      if (box.checked) this.switchedOff.delete(entry.name);
+      else this.switchedOff.add(entry.name);
+      this.switched(entry.name, box.checked);
     });
     const swatch = element('span', { class: 'swatch', 'aria-hidden': 'true' });
     swatch.style.background = sensorColor(entry.id);
-    const name = element('span', { class: 'name' }, entry.name, placementTag(entry.pose));
-    return element('li', { class: entry.online ? '' : 'gone' }, element('label', {}, box, swatch, name), figures);
+    const name = element('span', { class: 'name' });
+    const figures = element('span', { class: 'rates' });
+    const root = element('li', {}, element('label', {}, box, swatch, name), figures);
+    const update = (now: RoomSensor) => {
+      row.entry = now;
+      root.className = now.online ? '' : 'gone';
+      name.replaceChildren(...[now.name, placementTag(now.pose)].filter((part) => part !== undefined));
+    };
+    const row: SensorRow = { root, update, entry, figures };
+    return row;
   }
 }

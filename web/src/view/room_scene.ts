@@ -21,6 +21,7 @@ export class RoomScene {
   readonly scene = new THREE.Scene();
   readonly avatars = new Avatars();
   readonly placed = new Map<number, PlacedSensor>();
+  private readonly hidden = new Set<string>(); // names of sensors that the user has switched off
   readonly mixes: boolean; // whether this browser can blend surfaces
   private readonly keeper: BackgroundUpdater | undefined;
   private readonly blend: RoomBlend | undefined;
@@ -87,11 +88,14 @@ export class RoomScene {
     this.placed.forEach((placed) => placed.follow(placed.entry, connected));
   }
 
-  setVisible(sensor: number, visible: boolean): void {
-    const placed = this.placed.get(sensor);
-    if (!placed) return;
-    placed.wanted = visible;
-    this.applyMode(placed);
+  /** By its name, also for a sensor that comes later. */
+  setVisible(sensor: string, visible: boolean): void {
+    if (visible) this.hidden.delete(sensor);
+    else this.hidden.add(sensor);
+    for (const placed of this.placed.values()) {
+      placed.wanted = !this.hidden.has(placed.entry.name);
+      this.applyMode(placed);
+    }
   }
 
   follow(roster: RoomRoster, self: number): void {
@@ -175,6 +179,7 @@ export class RoomScene {
 
   private add(entry: RoomSensor): void {
     const placed = new PlacedSensor(entry, this.mixes);
+    placed.wanted = !this.hidden.has(entry.name);
     this.scene.add(placed.surface.root, placed.mark);
     placed.layers.forEach((layer) => this.blend!.add(layer));
     this.placed.set(entry.id, placed);

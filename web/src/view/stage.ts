@@ -82,7 +82,7 @@ export class Stage {
     this.touch();
   }
 
-  setVisible(sensor: number, visible: boolean): void {
+  setVisible(sensor: string, visible: boolean): void {
     this.room.setVisible(sensor, visible);
     this.touch();
   }
