@@ -6,6 +6,7 @@ import './codec.test.mjs';
 import './late_join.test.mjs';
 import './memory.test.mjs';
 import './nudge.test.mjs';
+import './parts.test.mjs';
 import './picture.test.mjs';
 import './room.test.mjs';
 import './security.test.mjs';

@@ -105,11 +105,15 @@ class Page {
       },
       tryIt: (sensor) => {
         const nudge = this.nudges.of(sensor);
-        if (nudge) this.link.nudge(sensor, nudge);
+        if (!nudge) return 'notMoved';
+        if (this.state.connection.phase !== 'joined') return 'notConnected';
+        this.link.nudge(sensor, nudge);
+        return 'sent';
       },
       putBack: (sensor) => {
-        this.nudges.forget(sensor);
+        const wasMoved = this.nudges.forget(sensor);
         this.showRoster();
+        return wasMoved;
       },
     };
   }

@@ -18,8 +18,9 @@ export class SensorNudges {
     return this.bySensor.get(sensor);
   }
 
-  forget(sensor: number): void {
-    this.bySensor.delete(sensor);
+  /** False if there was no pose of the user's. */
+  forget(sensor: number): boolean {
+    return this.bySensor.delete(sensor);
   }
 
   /** Drops the user's pose once the aligner has moved the sensor or rejected the pose. */

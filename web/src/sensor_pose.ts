@@ -39,3 +39,8 @@ export function poseOf(entry: SensorEntry): SensorPose {
 export function isPlaced({ source }: SensorPose): boolean {
   return source !== 'none';
 }
+
+/** False where the hub keeps the pose that the sensor supplied, whatever a user proposes: hub/room/pose_rules. */
+export function mayBeProposed({ source, state }: SensorPose): boolean {
+  return source !== 'given' || state === 'moved';
+}

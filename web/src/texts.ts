@@ -51,6 +51,7 @@ export const consoleTexts = {
     'views; a printed board held in front of both; or a pose proposed by hand.',
   move: 'Move by hand',
   moving: 'Done',
+  fixed: 'The sensor supplied its pose, so it cannot be moved by hand.',
   nudgeNeedsAdmin: 'To move sensors by hand, open the page with an admin’s token.',
   people: {
     name: 'Name',
@@ -245,4 +246,10 @@ export const nudgeTexts = {
   tryIt: 'Try (Enter)',
   putBack: 'Put back (Esc)',
   hint: '5 cm and 2° a step; Shift: 1 cm. Within 20 cm the hub refines the pose.',
+  tried: {
+    sent: 'Trying …',
+    notMoved: 'Move the sensor first: there is no new pose to try.',
+    notConnected: 'There is no connection to the hub. Try again when it is back.',
+  },
+  noAnswer: 'Nothing has changed yet: what is said above still holds, or the hub is busy.',
 };

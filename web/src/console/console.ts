@@ -57,7 +57,9 @@ export class Console {
     this.tabs = new Tabs(this.tabList(), (id) => this.tabChosen(id));
     this.close.addEventListener('click', () => this.setOpen(false));
     root.append(element('header', {}, element('h2', {}, texts.title), this.close), this.recording.root, this.tabs.root);
-    root.addEventListener('keydown', (event) => event.key === 'Escape' && this.setOpen(false));
+    root.addEventListener('keydown', (event) => {
+      if (event.key === 'Escape' && !event.defaultPrevented) this.setOpen(false);
+    });
     this.setAdmin(false);
     this.setOpen(false);
     setInterval(() => this.sample(), sample_ms);

@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places a sensor by hand, for users with an admin's token: buttons, and keys while a sensor is being moved. The pushed
-// pose is shown on this page only. `try` sends it to the aligner, which refines or rejects it.
+// Places a sensor by hand, for users with an admin's token: buttons, and keys while these are on the screen and they or
+// the room have the focus. The pushed pose is shown on this page only. `try` sends it to the aligner, which refines or
+// rejects it.
 import { nudgeTexts as texts } from '../texts';
 import type { HandStep } from '../view/nudge';
-import { element } from './element';
+import { element, setText } from './element';
+
+/** What became of a pose that was to be tried. */
+export type Tried = 'sent' | 'notMoved' | 'notConnected';
 
 export interface NudgeEvents {
   push(sensor: number, step: HandStep): void;
   /** Moves the sensor to the user's position and viewing direction. */
   putHere(sensor: number): void;
-  tryIt(sensor: number): void;
-  putBack(sensor: number): void;
+  tryIt(sensor: number): Tried;
+  /** False if the sensor had not been moved. */
+  putBack(sensor: number): boolean;
 }
 
 const step_m = 0.05;
 const step_rad = (2 * Math.PI) / 180;
 const fineFactor = 0.2; // with Shift
+const patience_ms = 20_000; // an aligner answers within some seconds
 
 interface Step {
   key: string;
@@ -39,7 +45,9 @@ const steps: readonly Step[] = [
 
 export class NudgeControls {
   readonly root = element('div', { class: 'nudge', hidden: '' });
+  private readonly said = element('p', { role: 'status' });
   private sensor: number | undefined;
+  private waits: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private readonly events: NudgeEvents) {
     const pad = element('div', { class: 'pad' }, ...steps.map((step) => this.button(step)));
@@ -50,8 +58,9 @@ export class NudgeControls {
     const hint = element('p', {}, texts.hint);
     const here = element('button', { type: 'button', class: 'plain' }, texts.putHere);
     here.addEventListener('click', () => this.putHere());
-    this.root.append(pad, hint, element('div', { class: 'row' }, here, tryIt, back));
-    window.addEventListener('keydown', (event) => this.keyDown(event));
+    this.root.append(pad, hint, element('div', { class: 'row' }, here, tryIt, back), this.said);
+    this.root.addEventListener('keydown', (event) => this.keyDown(event));
+    window.addEventListener('keydown', (event) => isInRoom(event) && this.keyDown(event));
   }
 
   /** The sensor that is being moved, if any. */
@@ -62,6 +71,21 @@ export class NudgeControls {
   choose(sensor: number | undefined): void {
     this.sensor = sensor;
     this.root.hidden = sensor === undefined;
+    this.say('');
+  }
+
+  focus(): void {
+    this.root.querySelector('button')?.focus();
+  }
+
+  /** The sensor's pose or the aligner's words on it have changed. */
+  answered(): void {
+    this.say('');
+  }
+
+  private say(sentence: string): void {
+    clearTimeout(this.waits);
+    setText(this.said, sentence);
   }
 
   private button(step: Step): HTMLElement {
@@ -88,21 +112,27 @@ export class NudgeControls {
   }
 
   private tryIt(): void {
-    if (this.sensor !== undefined) this.events.tryIt(this.sensor);
+    if (this.sensor === undefined) return;
+    const tried = this.events.tryIt(this.sensor);
+    this.say(texts.tried[tried]);
+    if (tried === 'sent') this.waits = setTimeout(() => this.say(texts.noAnswer), patience_ms);
   }
 
-  private putBack(): void {
-    if (this.sensor !== undefined) this.events.putBack(this.sensor);
+  private putBack(): boolean {
+    this.say('');
+    return this.sensor !== undefined && this.events.putBack(this.sensor);
   }
 
   private keyDown(event: KeyboardEvent): void {
-    if (this.sensor === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (event.target instanceof HTMLInputElement && event.target.type === 'text') return;
+    if (!this.root.checkVisibility() || event.ctrlKey || event.metaKey || event.altKey) return;
     const step = steps.find(({ key }) => key === event.code);
     if (step) this.push(step, event.shiftKey);
     else if (event.code === 'Enter' && !(event.target instanceof HTMLButtonElement)) this.tryIt();
-    else if (event.code === 'Escape') this.putBack();
-    else return;
+    else if (event.code !== 'Escape' || !this.putBack()) return;
     event.preventDefault();
   }
+}
+
+function isInRoom({ target }: KeyboardEvent): boolean {
+  return target instanceof Element && target.matches('body, canvas');
 }
