@@ -121,7 +121,7 @@ inline const std::vector<Layer> kLayers = {
      "alignment/bundle core geometry recording/export recording/frame_sets",
      "simulator"},
     {"recording/recorder",
-     "client client/room core recording/room wire"},
+     "client client/room core net recording/room wire"},
     {"simulator/random",
      ""},
     {"simulator/scene",
@@ -215,7 +215,7 @@ inline const std::vector<Layer> kLayers = {
      "client core hub/access hub/federation/mirror hub/federation/nats hub/runtime net "
      "wire"},
     {"hub/federation/upstream",
-     "client core hub/federation/mirror hub/runtime"},
+     "client core hub/federation/mirror hub/runtime net"},
     {"hub/server",
      "core hub/access hub/admin hub/config hub/room hub/runtime hub/store net net/tls "
      "wire"},

@@ -98,9 +98,8 @@ void HubLink::start() {
 }
 
 void HubLink::stop() {
-  stopped_ = true;
-  retry_timer_.cancel();
-  ping_timer_.cancel();
+  retry_timer_.stop();
+  ping_timer_.stop();
   cancel_attempts();
   if (connection_) std::exchange(connection_, nullptr)->part();
 }
@@ -192,7 +191,7 @@ bool HubLink::is_over() const {
 }
 
 void HubLink::give_up(const Error& reason) {
-  stopped_ = true;
+  retry_timer_.stop();
   events_.on_down(reason, true);
 }
 
@@ -202,17 +201,11 @@ void HubLink::retry_after(nanoseconds pause, const Error& reason) {
 }
 
 void HubLink::connect_after(nanoseconds pause) {
-  retry_timer_.expires_after(pause);
-  retry_timer_.async_wait([this](boost::system::error_code error) {
-    if (!error && !stopped_) connect();
-  });
+  retry_timer_.once(pause, [this] { connect(); });
 }
 
 void HubLink::ping_later() {
-  ping_timer_.expires_after(ping_schedule_.next());
-  ping_timer_.async_wait([this](boost::system::error_code error) {
-    if (!error && connection_) ping();
-  });
+  ping_timer_.once(ping_schedule_.next(), [this] { ping(); });
 }
 
 void HubLink::ping() {

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/steady_timer.hpp>
 
 #include "roomcast/client/clock_sync.h"
 #include "roomcast/client/hub_choice.h"
@@ -22,6 +21,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/core/result.h"
 #include "roomcast/net/hub_url.h"
+#include "roomcast/net/timer.h"
 #include "roomcast/net/websocket_client.h"
 #include "roomcast/wire/control.pb.h"
 
@@ -115,14 +115,13 @@ class HubLink {
   std::shared_ptr<Connection> connection_;                      // null without a connection
   std::vector<std::shared_ptr<net::ConnectAttempt>> attempts_;  // pending connection attempts
   std::size_t unanswered_ = 0;                                  // attempts that have not failed yet
-  boost::asio::steady_timer retry_timer_;
-  boost::asio::steady_timer ping_timer_;
+  net::Timer retry_timer_;
+  net::Timer ping_timer_;
   PingSchedule ping_schedule_;
   bool was_welcome_ = false;             // ever, on any connection
   std::optional<HostTime> welcomed_at_;  // on the current connection
   std::optional<Error> refusal_;         // the error that the hub sent before it closed
   wire::pb::ErrorCode refusal_code_ = wire::pb::ERROR_UNSPECIFIED;
-  bool stopped_ = false;
 };
 
 }  // namespace roomcast::client

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/steady_timer.hpp>
 
 #include "roomcast/core/clock.h"
 #include "roomcast/core/log.h"
@@ -29,6 +28,7 @@
 #include "roomcast/hub/runtime/shard.h"
 #include "roomcast/hub/runtime/traffic_meter.h"
 #include "roomcast/hub/store/store_worker.h"
+#include "roomcast/net/timer.h"
 
 namespace roomcast::hub {
 
@@ -135,7 +135,6 @@ class RoomRegistry final : public BackplaneEvents {
   void send_revoked_to_downstream(const std::vector<Claims>& revoked);
   void send_revoked_to_hub(ConnectionId hub, const std::vector<Claims>& revoked);
 
-  void schedule_periodic_tasks();
   void run_periodic_tasks();
   void disconnect_expired();
   void measure_sensors();
@@ -160,7 +159,7 @@ class RoomRegistry final : public BackplaneEvents {
   std::set<RoomId> in_use_;                           // rooms that have had a sensor
   BanList bans_;
   std::uint64_t refused_joins_ = 0;
-  boost::asio::steady_timer timer_;
+  net::Timer timer_;
   std::unordered_map<ConnectionId, Sent> sent_;
   std::map<std::pair<RoomId, std::size_t>, std::uint64_t> dropped_sets_;  // of a room, by shard
   TrafficMeter<ConnectionId> viewer_bytes_, sensor_bytes_, sensor_frames_;

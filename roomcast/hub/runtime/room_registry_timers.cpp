@@ -15,16 +15,7 @@ constexpr std::chrono::seconds kForgetAfter{10};
 }  // namespace
 
 void RoomRegistry::start() {
-  schedule_periodic_tasks();
-}
-
-void RoomRegistry::schedule_periodic_tasks() {
-  timer_.expires_after(kTaskInterval);
-  timer_.async_wait([this](boost::system::error_code error) {
-    if (error) return;
-    run_periodic_tasks();
-    schedule_periodic_tasks();
-  });
+  timer_.repeat(kTaskInterval, [this] { run_periodic_tasks(); });
 }
 
 void RoomRegistry::run_periodic_tasks() {

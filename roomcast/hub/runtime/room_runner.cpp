@@ -59,7 +59,7 @@ void RoomRunner::close(const std::string& sentence) {
   for (const ConnectionId client : room_.connections()) {
     disconnect_client(client, wire::pb::ERROR_NOT_ALLOWED, sentence);
   }
-  timer_.cancel();
+  timer_.stop();
   for (const auto& shard : context_.shards) shard->forget(id_);
 }
 
@@ -67,11 +67,9 @@ void RoomRunner::schedule_tick() {
   const auto next = room_.next_tick();
   if (!next || next == armed_for_) return;
   armed_for_ = next;
-  timer_.expires_at(std::chrono::steady_clock::time_point(
-      std::chrono::duration_cast<std::chrono::steady_clock::duration>(next->time_since_epoch())));
-  timer_.async_wait([weak = weak_from_this()](boost::system::error_code error) {
+  timer_.once(*next - now(), [weak = weak_from_this()] {
     const auto self = weak.lock();
-    if (error || self == nullptr) return;
+    if (self == nullptr) return;
     self->armed_for_.reset();
     self->apply(self->room_.tick(self->now()));
   });

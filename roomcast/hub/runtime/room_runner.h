@@ -11,8 +11,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include <boost/asio/steady_timer.hpp>
-
 #include "roomcast/core/clock.h"
 #include "roomcast/core/ids.h"
 #include "roomcast/hub/room/room.h"
@@ -20,6 +18,7 @@
 #include "roomcast/hub/runtime/connection.h"
 #include "roomcast/hub/runtime/shard.h"
 #include "roomcast/hub/store/store_worker.h"
+#include "roomcast/net/timer.h"
 
 namespace roomcast::hub {
 
@@ -86,7 +85,7 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
   Room room_;
   const Context context_;
   std::unordered_map<ConnectionId, ConnectionPtr> connections_;
-  boost::asio::steady_timer timer_;
+  net::Timer timer_;
   std::optional<RoomTime> armed_for_;  // the time for which timer_ is set
   bool is_watched_ = false;            // as last reported to the backplane
   std::uint64_t closed_sets_ = 0;      // as last reported to the backplane

@@ -8,11 +8,10 @@
 #include <utility>
 #include <variant>
 
-#include <boost/asio/steady_timer.hpp>
-
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/room/viewer_rights.h"
+#include "roomcast/net/timer.h"
 #include "roomcast/recording/recorder/bundle_link.h"
 #include "roomcast/recording/recorder/unix_clock.h"
 #include "roomcast/recording/room/room_recording_writer.h"
@@ -24,7 +23,6 @@ namespace pb = wire::pb;
 
 /// Buffer until room time is known, which takes one round trip.
 constexpr std::size_t kMaxHeldMessages = 256;
-constexpr auto kLookAfterChunk = recording::RoomRecordingWriter::kLongestChunk / 2;
 
 pb::Join join_message(const RecorderOptions& options) {
   pb::Join join;
@@ -63,7 +61,7 @@ class Recorder::Link final : public client::HubLinkEvents {
   Status finish() {
     if (std::exchange(finished_, true)) return {};
     network_.finish([this] {
-      chunk_timer_.cancel();
+      chunk_timer_.stop();
       bundles_.reset();
       link_.stop();
     });
@@ -145,7 +143,7 @@ class Recorder::Link final : public client::HubLinkEvents {
   std::map<std::uint32_t, pb::CalibrationBundle> held_bundles_;  // until the roster is known
   bool finished_ = false;
   client::NetworkThread network_;
-  boost::asio::steady_timer chunk_timer_;
+  net::Timer chunk_timer_;
   client::HubLink link_;
   std::optional<BundleLink> bundles_;
 };
@@ -217,12 +215,8 @@ Status Recorder::Link::write(const pb::Control& message, nanoseconds log_time) {
 }
 
 void Recorder::Link::look_after_chunk() {
-  chunk_timer_.expires_after(kLookAfterChunk);
-  chunk_timer_.async_wait([this](boost::system::error_code error) {
-    if (error || !writer_) return;
-    check(writer_->close_old_chunk(unix_clock_.now()));
-    if (writer_) look_after_chunk();
-  });
+  chunk_timer_.repeat(options_.look_after_chunk,
+                      [this] { check(writer_->close_old_chunk(unix_clock_.now())); });
 }
 
 void Recorder::Link::check(const Status& status) {
@@ -232,7 +226,7 @@ void Recorder::Link::check(const Status& status) {
 void Recorder::Link::fail(const Error& reason) {
   if (writer_) (void)writer_->finish();  // as far as the disk has space
   writer_.reset();
-  chunk_timer_.cancel();
+  chunk_timer_.stop();
   {
     std::lock_guard lock(mutex_);
     if (!failure_) failure_ = reason;

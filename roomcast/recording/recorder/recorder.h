@@ -15,6 +15,7 @@
 #include "roomcast/client/credential.h"
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
+#include "roomcast/recording/room/room_recording_writer.h"
 
 namespace roomcast::recording {
 
@@ -25,6 +26,8 @@ struct RecorderOptions {
   bool bundles = false;  // also record calibration bundles, for placing; needs an admin token
   std::filesystem::path path;
   LogSink log;
+  /// How often the newest chunk is looked at, which goes to disk at kLongestChunk.
+  nanoseconds look_after_chunk = RoomRecordingWriter::kLongestChunk / 2;
 };
 
 struct RecorderStats {

@@ -107,6 +107,17 @@ TEST_F(RecorderTest, a_single_frame_is_on_disk_within_a_second) {
   }));
 }
 
+/// The chunk is looked at all the time, so finish() often meets a timer that is due already.
+TEST_F(RecorderTest, finish_ends_although_a_timer_is_due) {
+  RecorderOptions options;
+  options.look_after_chunk = nanoseconds(0);
+  for (int round = 0; round < 100; ++round) {
+    path = folder / (std::to_string(round) + ".mcap");
+    ASSERT_TRUE(open(options).ok());
+    ASSERT_TRUE(recorder->finish().ok());
+  }
+}
+
 TEST_F(RecorderTest, says_that_it_records) {
   ASSERT_TRUE(open().ok());
   on_hub([](client::FakeHub& h) { EXPECT_TRUE(h.heard.at(0).join().viewer().records()); });

@@ -43,7 +43,7 @@ ClusterHub::ClusterHub(ClusterOptions options, hub::BackplaneContext context)
     : options_(std::move(options)), context_(std::move(context)), timer_(context_.io) {}
 
 ClusterHub::~ClusterHub() {
-  timer_.cancel();
+  timer_.stop();
   if (nats_) send_heartbeat(true);
 }
 
@@ -66,8 +66,8 @@ void ClusterHub::room_opened(const std::string& name) {
   rooms_[name] =
       std::unique_ptr<Room>(new Room{.shared = std::make_unique<SharedRoom>(std::move(context)),
                                      .packer = FramePacker(nats_->max_message_bytes()),
-                                     .gathered = boost::asio::steady_timer(context_.io),
-                                     .unwatched = boost::asio::steady_timer(context_.io)});
+                                     .gathered = net::Timer(context_.io),
+                                     .unwatched = net::Timer(context_.io)});
   nats_->subscribe(news_subject(name));
   // Deferred: all rooms are opened in sequence before any of them can accept a client.
   boost::asio::post(context_.io, [this, name] {
@@ -98,10 +98,9 @@ void ClusterHub::watch(const std::string& name, bool is_watched) {
     return send_heartbeat();
   }
   if (is_watched) return;
-  room->unwatched.expires_after(options_.kept_unwatched);
-  room->unwatched.async_wait([this, name](boost::system::error_code error) {
+  room->unwatched.once(options_.kept_unwatched, [this, name] {
     Room* unwatched = find(name);
-    if (error || unwatched == nullptr || unwatched->is_watched) return;
+    if (unwatched == nullptr || unwatched->is_watched) return;
     unwatched->is_subscribed = false;
     nats_->unsubscribe(all_frames_subject(name));
     nats_->unsubscribe(poses_subject(name));
@@ -123,9 +122,8 @@ void ClusterHub::frame(const std::string& name, const wire::FrameHeader&,
   if (!room->shared->has_sensors_elsewhere()) return;  // set_closed() sends them
   if (room->packer.frame_count() >= room->shared->local_sensor_count()) return flush(*room);
   if (room->packer.frame_count() > 1) return;
-  room->gathered.expires_after(kGatherFor);
-  room->gathered.async_wait([this, name](boost::system::error_code error) {
-    if (Room* gathered = find(name); gathered != nullptr && !error) flush(*gathered);
+  room->gathered.once(kGatherFor, [this, name] {
+    if (Room* gathered = find(name)) flush(*gathered);
   });
 }
 
@@ -195,10 +193,9 @@ void ClusterHub::send_heartbeat(bool leaves) {
 /// would be delayed by a frame every time.
 void ClusterHub::schedule_heartbeat() {
   std::uniform_real_distribution<double> share(0.7, 1.3);
-  timer_.expires_after(
-      std::chrono::duration_cast<nanoseconds>(kHeartbeatInterval * share(random_)));
-  timer_.async_wait([this](boost::system::error_code error) {
-    if (error) return;
+  const auto interval =
+      std::chrono::duration_cast<nanoseconds>(kHeartbeatInterval * share(random_));
+  timer_.once(interval, [this] {
     run_heartbeat();
     schedule_heartbeat();
   });

@@ -15,14 +15,13 @@
 #include <string>
 #include <vector>
 
-#include <boost/asio/steady_timer.hpp>
-
 #include "roomcast/hub/federation/cluster/frame_parts.h"
 #include "roomcast/hub/federation/cluster/hub_directory.h"
 #include "roomcast/hub/federation/cluster/processor_load.h"
 #include "roomcast/hub/federation/cluster/shared_room.h"
 #include "roomcast/hub/federation/nats/nats_client.h"
 #include "roomcast/hub/runtime/backplane.h"
+#include "roomcast/net/timer.h"
 
 namespace roomcast::hub::federation {
 
@@ -71,7 +70,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   struct Room {
     std::unique_ptr<SharedRoom> shared;
     FramePacker packer;
-    boost::asio::steady_timer gathered, unwatched;
+    net::Timer gathered, unwatched;
     std::size_t viewers = 0;
     bool is_watched = false, is_subscribed = false;
     bool is_wanted = false;  // by another hub
@@ -108,7 +107,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   std::unique_ptr<NatsClient> nats_;
   unsigned heartbeat_number_ = 0;
   Rooms rooms_;
-  boost::asio::steady_timer timer_;
+  net::Timer timer_;
   std::minstd_rand random_{std::random_device{}()};
 };
 

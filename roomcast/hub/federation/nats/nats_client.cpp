@@ -6,10 +6,10 @@
 #include <utility>
 
 #include <boost/asio/post.hpp>
-#include <boost/asio/steady_timer.hpp>
 
 #include "roomcast/hub/federation/nats/nats_login.h"
 #include "roomcast/hub/federation/nats/nats_session.h"
+#include "roomcast/net/timer.h"
 
 namespace roomcast::hub::federation {
 namespace {
@@ -61,18 +61,14 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   void start() { schedule_check(); }
   void stop() {
     is_stopped_ = true;
-    retry_timer_.cancel();
-    silence_timer_.cancel();
+    retry_timer_.stop();
+    silence_timer_.stop();
     if (connecting_) connecting_->cancel();
     if (session_) session_->stop();
   }
 
   void reconnect_later() {
-    retry_timer_.expires_after(kRetryAfter);
-    retry_timer_.async_wait([weak = weak_from_this()](boost::system::error_code error) {
-      const auto self = weak.lock();
-      if (self && !error) self->reconnect();
-    });
+    retry_timer_.once(kRetryAfter, [this] { reconnect(); });
   }
 
   void subscribe(std::string subject) {
@@ -166,12 +162,9 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
     const HostTime now = clock_.now();
     const HostTime silent_since = session_ ? session_->last_received() : now;
     const HostTime due = std::max<HostTime>(silent_since + kPingAfter, now + kPingEvery);
-    silence_timer_.expires_after(due - now);
-    silence_timer_.async_wait([weak = weak_from_this(), due](boost::system::error_code error) {
-      const auto self = weak.lock();
-      if (!self || error) return;
-      self->check_silence(due);
-      self->schedule_check();
+    silence_timer_.once(due - now, [this, due] {
+      check_silence(due);
+      schedule_check();
     });
   }
 
@@ -199,7 +192,7 @@ class NatsClient::Link : public std::enable_shared_from_this<Link> {
   NatsStats stats_;  // except is_connected
   std::string last_logged_;
   bool is_stopped_ = false;
-  asio::steady_timer retry_timer_, silence_timer_;
+  net::Timer retry_timer_, silence_timer_;
   std::shared_ptr<NatsLoginAttempt> connecting_;
 };
 

@@ -45,14 +45,13 @@ void UpstreamHub::pull(const std::string& name) {
   MirroredRoom mirror(name, context_.token, context_.rooms, std::move(new_connection));
   rooms_[name] = std::unique_ptr<Pulled>(
       new Pulled{.room{context_.io, options_, name, std::move(mirror), context_.revoke},
-                 .end = boost::asio::steady_timer(context_.io)});
+                 .end = net::Timer(context_.io)});
 }
 
 void UpstreamHub::end_later(const std::string& name, Pulled& pulled) {
-  pulled.end.expires_after(options_.kept_unwatched);
-  pulled.end.async_wait([this, name](boost::system::error_code error) {
+  pulled.end.once(options_.kept_unwatched, [this, name] {
     const auto room = rooms_.find(name);
-    if (!error && room != rooms_.end() && !room->second->is_watched) end(room);
+    if (room != rooms_.end() && !room->second->is_watched) end(room);
   });
 }
 

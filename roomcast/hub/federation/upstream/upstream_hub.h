@@ -10,6 +10,7 @@
 
 #include "roomcast/hub/federation/upstream/upstream_room.h"
 #include "roomcast/hub/runtime/backplane.h"
+#include "roomcast/net/timer.h"
 
 namespace roomcast::hub::federation {
 
@@ -23,7 +24,7 @@ class UpstreamHub final : public hub::Backplane {
  private:
   struct Pulled {
     UpstreamRoom room;
-    boost::asio::steady_timer end;  // of a room without viewers
+    net::Timer end;  // of a room without viewers
     bool is_watched = true;
   };
   using Rooms = std::map<std::string, std::unique_ptr<Pulled>>;  // by name

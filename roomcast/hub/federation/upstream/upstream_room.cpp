@@ -84,12 +84,7 @@ void UpstreamRoom::on_clock(const client::ClockEstimate& estimate) {
 void UpstreamRoom::on_down(const Error& reason, bool final) {
   is_welcome_ = false;
   mirror_.on_hub_lost();
-  if (final) {
-    timer_.expires_after(kRejoinAfter);
-    timer_.async_wait([this](boost::system::error_code error) {
-      if (!error) join();
-    });
-  }
+  if (final) timer_.once(kRejoinAfter, [this] { join(); });
   if (std::exchange(is_down_, true) || !options_.log) return;
   options_.log(LogLevel::kWarning, "room \"" + room_ + "\" of another hub: " + reason.message);
 }

@@ -9,12 +9,11 @@
 #include <string>
 #include <vector>
 
-#include <boost/asio/steady_timer.hpp>
-
 #include "roomcast/client/credential.h"
 #include "roomcast/client/hub_link.h"
 #include "roomcast/core/log.h"
 #include "roomcast/hub/federation/upstream/mirrored_room.h"
+#include "roomcast/net/timer.h"
 
 namespace roomcast::hub::federation {
 
@@ -41,7 +40,6 @@ class UpstreamRoom final : public BackplaneRoom, private client::HubLinkEvents {
 
   UpstreamRoom(boost::asio::io_context& io, const UpstreamOptions& options, const std::string& room,
                MirroredRoom mirror, Revoke revoke);
-  ~UpstreamRoom() override { timer_.cancel(); }
 
   [[nodiscard]] MirroredRoom& mirror() { return mirror_; }
   void on_room_message(ConnectionId to, const wire::pb::Control& message) override;
@@ -73,7 +71,7 @@ class UpstreamRoom final : public BackplaneRoom, private client::HubLinkEvents {
   bool is_welcome_ = false;
   hub::BackplaneTraffic sent_, received_;
   bool is_down_ = false;  // since the last welcome
-  boost::asio::steady_timer timer_;
+  net::Timer timer_;
 };
 
 }  // namespace roomcast::hub::federation
