@@ -143,8 +143,9 @@ Status Actions::suggest_bindings(XrInstance instance) const {
   for (const Controller& controller : kControllers) {
     std::vector<XrActionSuggestedBinding> bindings;
     const auto bind = [&](XrAction action, const std::string& part) {
+      if (part.empty()) return;
       const auto path = path_of(instance, part);
-      if (!part.empty() && path) bindings.push_back({action, *path});
+      if (path) bindings.push_back({action, *path});
     };
     bind(walk_, controller.walk);
     bind(turn_, controller.turn);

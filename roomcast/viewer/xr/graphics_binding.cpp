@@ -27,7 +27,8 @@ namespace {
 
 XrGraphicsBindingEGLMNDX egl_binding(EGLContext context) {
   auto binding = xr_struct<XrGraphicsBindingEGLMNDX>(XR_TYPE_GRAPHICS_BINDING_EGL_MNDX);
-  binding.getProcAddress = reinterpret_cast<decltype(binding.getProcAddress)>(&eglGetProcAddress);
+  // libepoxy's names are macros for variables that hold the functions: the value, not its address.
+  binding.getProcAddress = reinterpret_cast<decltype(binding.getProcAddress)>(eglGetProcAddress);
   binding.display = eglGetCurrentDisplay();
   binding.context = context;
   EGLint id = 0;

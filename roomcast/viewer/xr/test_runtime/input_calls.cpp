@@ -10,7 +10,7 @@ namespace {
 
 XRAPI_ATTR XrResult XRAPI_CALL string_to_path(XrInstance, const char* name, XrPath* path) {
   SessionRecord& session = session_record();
-  if (name[0] != '/') return XR_ERROR_PATH_FORMAT_INVALID;
+  if (name[0] != '/') return violation("a path that is none", XR_ERROR_PATH_FORMAT_INVALID);
   auto [known, is_new] = session.paths.try_emplace(name, session.path_names.size());
   if (is_new) session.path_names.emplace_back(name);
   *path = known->second;

@@ -2,7 +2,9 @@
 // TestRuntime: sessions, spaces and swapchains (OpenXR 1.0, sections 7, 9 and 10.1).
 #include <memory>
 
+#define XR_USE_PLATFORM_EGL
 #define XR_USE_GRAPHICS_API_OPENGL
+#include <epoxy/egl.h>
 #include <openxr/openxr_platform.h>
 
 #include "roomcast/viewer/xr/test_runtime/session_record.h"
@@ -18,6 +20,14 @@ void send_state(XrSessionState state) {
       {XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr, kTheSession, state, session.display});
 }
 
+/// Runtimes find their own GL functions through the client's eglGetProcAddress.
+bool finds_gl(const XrGraphicsBindingEGLMNDX& binding) {
+  if (binding.getProcAddress == nullptr) return false;
+  auto* const get_string =
+      reinterpret_cast<const GLubyte* (*)(GLenum)>(binding.getProcAddress("glGetString"));
+  return get_string != nullptr && get_string(GL_VERSION) != nullptr;
+}
+
 XRAPI_ATTR XrResult XRAPI_CALL create_session(XrInstance, const XrSessionCreateInfo* info,
                                               XrSession* made) {
   SessionRecord& session = session_record();
@@ -30,6 +40,8 @@ XRAPI_ATTR XrResult XRAPI_CALL create_session(XrInstance, const XrSessionCreateI
       binding != nullptr && binding->type == XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR;
   if (!is_egl && !is_glx)
     return violation("a session without a GL context", XR_ERROR_GRAPHICS_DEVICE_INVALID);
+  if (is_egl && !finds_gl(*reinterpret_cast<const XrGraphicsBindingEGLMNDX*>(binding)))
+    return violation("an EGL context without its functions", XR_ERROR_GRAPHICS_DEVICE_INVALID);
   TestRuntime::instance().uses_egl = is_egl;
   session.exists = true;
   session.display = TestRuntime::kBegin_ns;

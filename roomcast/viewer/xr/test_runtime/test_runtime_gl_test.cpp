@@ -50,10 +50,13 @@ class TestRuntimeTest : public render::GlTest {
     ASSERT_EQ(ask(instance, 1, &needs), XR_SUCCESS);
   }
 
-  XrResult create_session() {
+  XrResult create_session(bool with_functions = true) {
     auto binding = xr_struct<XrGraphicsBindingEGLMNDX>(XR_TYPE_GRAPHICS_BINDING_EGL_MNDX);
     binding.display = eglGetCurrentDisplay();
     binding.context = eglGetCurrentContext();
+    if (with_functions)
+      binding.getProcAddress =
+          reinterpret_cast<decltype(binding.getProcAddress)>(eglGetProcAddress);
     auto info = xr_struct<XrSessionCreateInfo>(XR_TYPE_SESSION_CREATE_INFO);
     info.next = &binding;
     info.systemId = 1;
@@ -92,6 +95,12 @@ TEST_F(TestRuntimeTest, the_loader_and_the_test_speak_to_the_same_one) {
 
 TEST_F(TestRuntimeTest, notices_a_session_before_its_graphics_requirements) {
   EXPECT_EQ(create_session(), XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING);
+  EXPECT_EQ(runtime.violations.size(), 1U);
+}
+
+TEST_F(TestRuntimeTest, notices_an_egl_context_without_its_functions) {
+  ask_for_requirements();
+  EXPECT_EQ(create_session(false), XR_ERROR_GRAPHICS_DEVICE_INVALID);
   EXPECT_EQ(runtime.violations.size(), 1U);
 }
 
