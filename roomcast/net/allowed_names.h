@@ -13,7 +13,7 @@
 namespace roomcast::net {
 
 struct AllowedNames {
-  bool any_host = true;                   // for TLS: the certificate proves the name
+  bool any_host = false;                  // set with TLS only: the certificate proves the name
   std::vector<std::string> hosts = {};    // plus numeric addresses and "localhost"; without port
   std::vector<std::string> origins = {};  // "https://rooms.example.org", plus the server's own
 

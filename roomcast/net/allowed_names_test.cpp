@@ -24,7 +24,12 @@ TEST(AllowedNames, a_rebound_name_is_refused) {
 }
 
 TEST(AllowedNames, with_a_certificate_every_name_is_accepted) {
-  EXPECT_TRUE(AllowedNames{}.allows_host("whatever.example"));
+  EXPECT_TRUE(AllowedNames{.any_host = true}.allows_host("whatever.example"));
+}
+
+TEST(AllowedNames, who_says_nothing_allows_addresses_only) {
+  EXPECT_FALSE(AllowedNames{}.allows_host("evil.example:7700"));
+  EXPECT_TRUE(AllowedNames{}.allows_host("127.0.0.1:7700"));
 }
 
 TEST(AllowedNames, pages_of_this_server_and_of_named_sites_may_connect) {
