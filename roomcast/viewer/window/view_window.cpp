@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
 
 #include <SDL2/SDL.h>
 #include <epoxy/gl.h>
@@ -41,6 +44,12 @@ SDL_Window* make_window(const ViewWindowOptions& options) {
                           options.size.width, options.size.height, flags);
 }
 
+/// Where there is no display, SDL falls back to drivers whose windows nobody can see.
+bool is_visible(std::string_view driver) {
+  const bool was_named = std::getenv("SDL_VIDEODRIVER") != nullptr;
+  return was_named || (driver != "offscreen" && driver != "dummy" && driver != "evdev");
+}
+
 bool has_gl() {
   return epoxy_is_desktop_gl() && epoxy_gl_version() >= 10 * kGlMajor + kGlMinor;
 }
@@ -50,6 +59,11 @@ bool has_gl() {
 Result<std::unique_ptr<ViewWindow>> ViewWindow::open(const ViewWindowOptions& options) {
   start_sdl();
   if (SDL_Init(SDL_INIT_VIDEO) != 0) return no_window("there is no display");
+  if (!is_visible(SDL_GetCurrentVideoDriver())) {
+    SDL_Quit();
+    SDL_ClearError();
+    return no_window("there is no display");
+  }
   SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);  // may fail: the viewer works without a gamepad
   ask_for_gl();
   SDL_Window* const window = make_window(options);

@@ -22,7 +22,8 @@ struct ViewWindowOptions {
 
 class ViewWindow final : public ViewTarget {
  public:
-  /// kUnavailable, with advice, if there is no display or no OpenGL 4.5.
+  /// kUnavailable, with advice, if there is no display or no OpenGL 4.5. A display that nobody can
+  /// see is used only where SDL_VIDEODRIVER names it.
   static Result<std::unique_ptr<ViewWindow>> open(const ViewWindowOptions& options);
   ~ViewWindow() override;
   ViewWindow(const ViewWindow&) = delete;

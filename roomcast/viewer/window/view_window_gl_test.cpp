@@ -30,6 +30,22 @@ TEST_F(ViewWindowTest, opens_without_a_display_and_has_opengl) {
   EXPECT_GE(epoxy_gl_version(), 45);
 }
 
+TEST_F(ViewWindowTest, where_there_is_no_display_says_so_instead_of_running_unseen) {
+  window.reset();
+  for (const char* name : {"SDL_VIDEODRIVER", "DISPLAY", "WAYLAND_DISPLAY"}) ::unsetenv(name);
+  const auto opened = ViewWindow::open({});
+  ASSERT_FALSE(opened.ok());
+  EXPECT_EQ(opened.error().code, ErrorCode::kUnavailable);
+  EXPECT_NE(opened.error().message.find("there is no display"), std::string::npos)
+      << opened.error().message;
+}
+
+TEST_F(ViewWindowTest, waits_for_the_screen_until_it_is_told_not_to) {
+  EXPECT_TRUE(window->waits_for_screen());
+  window->wait_for_screen(false);
+  EXPECT_FALSE(window->waits_for_screen());
+}
+
 TEST_F(ViewWindowTest, shows_a_picture_of_its_size_pixel_by_pixel) {
   auto picture = render::OffscreenTarget::create(200, 100);
   ASSERT_TRUE(picture.ok());
