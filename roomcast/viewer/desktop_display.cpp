@@ -60,11 +60,13 @@ Result<DrawnPicture> DesktopDisplay::draw_room(const DesktopState& state, HostTi
   return DrawnPicture{now, camera, picture_.take_drawing_time()};
 }
 
-Result<DrawnPicture> DesktopDisplay::draw_headset(const DesktopState& state, HostTime now) {
+Result<std::optional<DrawnPicture>> DesktopDisplay::draw_headset(const DesktopState& state,
+                                                                 HostTime now) {
   if (auto status = headset_->draw(room_view_, state.settings(), state.start_view()); !status) {
     return status.error();
   }
-  return DrawnPicture{now, std::nullopt, headset_->take_drawing_time()};
+  if (!headset_->is_seen()) return std::optional<DrawnPicture>();
+  return std::optional(DrawnPicture{now, std::nullopt, headset_->take_drawing_time()});
 }
 
 const render::OffscreenTarget* DesktopDisplay::picture() const {
@@ -95,6 +97,7 @@ std::optional<Toast> DesktopDisplay::poll_headset(HostTime now) {
     if (auto status = headset_->poll(); !status) return close_headset(status.error(), now);
     return std::nullopt;
   }
+  if (was_left_) return std::nullopt;
   if (headset_tried_ != HostTime{} && now - headset_tried_ < kHeadsetRetry) return std::nullopt;
   headset_tried_ = now;
   auto opened = xr::HeadsetView::open();
@@ -109,11 +112,14 @@ std::optional<Toast> DesktopDisplay::poll_headset(HostTime now) {
 }
 
 void DesktopDisplay::recenter_headset() {
-  if (headset_) headset_->recenter();
+  if (headset_) return headset_->recenter();
+  was_left_ = false;
+  headset_tried_ = {};
 }
 
 Toast DesktopDisplay::close_headset(const Error& why, HostTime now) {
-  const Toast news = without_headset(why.message);
+  was_left_ = headset_->has_exited();
+  const Toast news = without_headset(why.message + (was_left_ ? "; press C to go back" : ""));
   headset_.reset();
   headset_tried_ = now;
   return news;

@@ -37,9 +37,9 @@ class DesktopDisplay {
 
   /// Draws the room for the window. Errors as RoomPicture::draw.
   Result<DrawnPicture> draw_room(const DesktopState& state, HostTime now);
-  /// Draws the room in the headset; after an error the headset is lost. Errors as
-  /// HeadsetView::draw.
-  Result<DrawnPicture> draw_headset(const DesktopState& state, HostTime now);
+  /// Waits for the headset's next frame and draws the room in it; empty: nobody sees it. After an
+  /// error the headset is lost. Errors as HeadsetView::draw.
+  Result<std::optional<DrawnPicture>> draw_headset(const DesktopState& state, HostTime now);
   /// The picture that the window shows: the left eye's while the headset is worn. Null before the
   /// first one.
   [[nodiscard]] const render::OffscreenTarget* picture() const;
@@ -51,14 +51,20 @@ class DesktopDisplay {
   [[nodiscard]] std::optional<Eigen::Vector3d> surface_at(
       const std::optional<render::ViewCamera>& camera, double x, double y) const;
 
-  /// Opens the headset, if there is one, and notices its loss; tries again every few seconds.
+  /// Opens the headset, if there is one, and notices its loss; tries again every few seconds,
+  /// unless the wearer has left.
   /// Returns the news for the user.
   std::optional<Toast> poll_headset(HostTime now);
-  [[nodiscard]] bool is_in_headset() const { return headset_ && headset_->is_running(); }
+  /// True while the headset sets the pace: then call draw_headset().
+  [[nodiscard]] bool headset_runs() const { return headset_ && headset_->is_running(); }
+  /// True while the room is seen in the headset.
+  [[nodiscard]] bool is_in_headset() const { return headset_ && headset_->is_seen(); }
   /// The wearer's pose; only while is_in_headset().
   [[nodiscard]] const client::PersonPose& headset_pose() const { return headset_->pose(); }
+  /// Moves the wearer to the start. If the wearer has left the room, opens the headset again.
   void recenter_headset();
-  /// The headset is lost; the desktop goes on. Returns the news for the user.
+  /// The headset is lost, or the wearer has left; the desktop goes on. Returns the news for the
+  /// user.
   Toast close_headset(const Error& why, HostTime now);
 
  private:
@@ -74,6 +80,7 @@ class DesktopDisplay {
 
   std::unique_ptr<xr::HeadsetView> headset_;  // null while there is none
   HostTime headset_tried_{};
+  bool was_left_ = false;      // by the wearer, who has to ask for the headset again
   std::string headset_error_;  // the last one shown
 };
 

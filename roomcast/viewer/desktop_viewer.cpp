@@ -9,6 +9,7 @@ namespace roomcast::viewer {
 namespace {
 
 constexpr int kIdle_ms = 5;
+constexpr std::chrono::milliseconds kPresentBesideHeadset{33};
 
 }  // namespace
 
@@ -41,15 +42,24 @@ bool DesktopViewer::step() {
   poll_headset(begin);
   draw(begin);
   if (capture_.is_recording()) continue_video();
-  if (had_input || state_.must_show(now())) {
+  display_.window().wait_for_screen(!display_.headset_runs());
+  if ((had_input || state_.must_show(now())) && may_present(now())) {
     draw_window();
     display_.window().present();
     state_.shown(now());
-  } else {
+  } else if (!display_.headset_runs()) {
     SDL_WaitEventTimeout(nullptr, kIdle_ms);
   }
   hub_report_.send(own_pose(), state_.latency(now()), now());
   return !wants_to_quit_;
+}
+
+/// The screen must not slow down a headset, which is faster and waits in draw_headset().
+bool DesktopViewer::may_present(HostTime at) {
+  if (!display_.headset_runs()) return true;
+  if (display_.window().is_hidden() || at - last_present_ < kPresentBesideHeadset) return false;
+  last_present_ = at;
+  return true;
 }
 
 bool DesktopViewer::take_events() {
@@ -132,11 +142,12 @@ void DesktopViewer::poll_headset(HostTime at) {
 }
 
 void DesktopViewer::draw(HostTime at) {
-  if (display_.is_in_headset()) {
+  if (display_.headset_runs()) {
+    const bool was_seen = display_.is_in_headset();
     const auto drawn = display_.draw_headset(state_, at);
-    if (drawn) return take_drawn(*drawn);
-    state_.redraw();
-    return state_.notify(display_.close_headset(drawn.error(), at), at);
+    if (drawn && *drawn) return take_drawn(**drawn);
+    if (was_seen || !drawn) state_.redraw();
+    if (!drawn) return state_.notify(display_.close_headset(drawn.error(), at), at);
   }
   const bool is_seen = !display_.window().is_hidden() || capture_.is_recording();
   if (!is_seen || !state_.must_draw(display_.window().size(), input_.is_pointing())) return;

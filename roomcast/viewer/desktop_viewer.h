@@ -46,6 +46,7 @@ class DesktopViewer {
   [[nodiscard]] const ViewState& view() const { return state_.view(); }
   [[nodiscard]] std::vector<Toast> toasts() const { return state_.toasts(now()); }
   [[nodiscard]] std::uint64_t pictures_drawn() const { return state_.pictures_drawn(); }
+  [[nodiscard]] const ViewWindow& window() const { return display_.window(); }
 
  private:
   DesktopViewer(client::Subscriber& hub, DesktopViewerOptions options, DesktopDisplay display);
@@ -65,6 +66,7 @@ class DesktopViewer {
   [[nodiscard]] std::optional<Eigen::Vector3d> pointed_at() const;
   void take_drawn(const DrawnPicture& picture);
   void draw_window();
+  [[nodiscard]] bool may_present(HostTime now);
   // Screenshots and videos.
   [[nodiscard]] bool may_capture();
   void save_screenshot();
@@ -83,7 +85,7 @@ class DesktopViewer {
   DesktopState state_;
   CaptureWriter capture_;
   HubReport hub_report_;
-  HostTime last_step_{};
+  HostTime last_step_{}, last_present_{};
   bool wants_to_quit_ = false;
 };
 

@@ -45,6 +45,12 @@ class DesktopViewerTest : public testing::Test {
     ASSERT_TRUE(opened.ok()) << opened.error().message;
     viewer = std::move(*opened);
   }
+  void open_with_headset() {
+    runtime.reset();
+    ::setenv("XR_RUNTIME_JSON", ROOMCAST_TEST_OPENXR, 1);
+    options.headset = true;
+    open();
+  }
   void TearDown() override {
     viewer.reset();
     subscriber.reset();
@@ -101,6 +107,7 @@ class DesktopViewerTest : public testing::Test {
   std::vector<std::string> written;
   PictureSize written_size;
   std::unique_ptr<DesktopViewer> viewer;
+  xr::TestRuntime& runtime = xr::TestRuntime::instance();
 };
 
 TEST_F(DesktopViewerTest, draws_an_empty_room_and_reports_that_it_is_empty) {
@@ -251,11 +258,7 @@ TEST_F(DesktopViewerTest, shows_the_other_people) {
 }
 
 TEST_F(DesktopViewerTest, goes_on_on_the_desktop_when_the_headset_is_taken_off_or_lost) {
-  viewer::xr::TestRuntime& runtime = viewer::xr::TestRuntime::instance();
-  runtime.reset();
-  ::setenv("XR_RUNTIME_JSON", ROOMCAST_TEST_OPENXR, 1);
-  options.headset = true;
-  open();
+  open_with_headset();
   EXPECT_TRUE(steps_until([&] { return runtime.frames_with_layer > 2; }));
   EXPECT_TRUE(steps_until([&] {
     bool hub_has_hands = false;
@@ -278,6 +281,62 @@ TEST_F(DesktopViewerTest, goes_on_on_the_desktop_when_the_headset_is_taken_off_o
   EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > drawn; }));
   viewer.reset();
   EXPECT_TRUE(runtime.violations.empty());
+}
+
+/// The test runtime's headset asks for its next frame at once, as a very fast one would.
+TEST_F(DesktopViewerTest, the_screen_does_not_slow_a_headset_down) {
+  open_with_headset();
+  EXPECT_TRUE(steps_until([&] { return runtime.frames_with_layer > 2; }));
+  EXPECT_FALSE(viewer->window().waits_for_screen());
+  const auto frames = runtime.frames;
+  const auto presented = viewer->window().presented();
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_TRUE(steps_until([&] { return runtime.frames >= frames + 30; }));
+  const auto periods = (std::chrono::steady_clock::now() - begin) / 33ms;
+  EXPECT_LE(viewer->window().presented(), presented + static_cast<std::uint64_t>(periods) + 1);
+  runtime.take_off();
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(viewer->step());
+  EXPECT_TRUE(viewer->window().waits_for_screen());
+}
+
+TEST_F(DesktopViewerTest, the_desktop_goes_on_while_nobody_sees_the_headsets_frames) {
+  open_with_headset();
+  EXPECT_TRUE(steps_until([&] { return runtime.frames_with_layer > 2; }));
+  runtime.is_seen = false;
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(viewer->step());
+  const auto rested = viewer->pictures_drawn();
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(viewer->step());
+  EXPECT_LE(viewer->pictures_drawn(), rested + 1) << "frames that nobody sees are not counted";
+  const auto frames = runtime.frames;
+  press(SDLK_a);
+  EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > rested + 2; }));
+  press(SDLK_a, false);
+  EXPECT_GT(runtime.frames, frames) << "the session goes on";
+}
+
+TEST_F(DesktopViewerTest, who_leaves_the_headset_is_not_brought_back_unasked) {
+  viewer.reset();
+  runtime.reset();
+  ::setenv("XR_RUNTIME_JSON", ROOMCAST_TEST_OPENXR, 1);
+  auto display = DesktopDisplay::open(options.window);
+  ASSERT_TRUE(display.ok()) << display.error().message;
+  const HostTime begin{1h}, later = begin + 1h;
+  ASSERT_TRUE(display->poll_headset(begin));
+  EXPECT_FALSE(display->poll_headset(begin));
+  ASSERT_TRUE(display->headset_runs());
+  runtime.ask_for_end();
+  const auto news = display->poll_headset(begin);
+  ASSERT_TRUE(news);
+  EXPECT_NE(news->sentence.find("the headset was put away; press C to go back"), std::string::npos)
+      << news->sentence;
+  EXPECT_FALSE(display->poll_headset(later));
+  display->recenter_headset();
+  EXPECT_TRUE(display->poll_headset(later)) << "asked for";
+  EXPECT_FALSE(display->poll_headset(later));
+  EXPECT_TRUE(display->headset_runs());
+  runtime.lose_session();
+  ASSERT_TRUE(display->poll_headset(later));
+  EXPECT_TRUE(display->poll_headset(later + 1min)) << "a loss is no farewell";
 }
 
 TEST_F(DesktopViewerTest, without_a_headset_reports_that_and_shows_the_room) {

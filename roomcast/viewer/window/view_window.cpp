@@ -72,8 +72,7 @@ Result<std::unique_ptr<ViewWindow>> ViewWindow::open(const ViewWindowOptions& op
   std::unique_ptr<ViewWindow> made(new ViewWindow(window, context));
   if (window == nullptr) return no_window("the desktop refuses one");
   if (context == nullptr || !has_gl()) return no_window("the driver has no OpenGL 4.5");
-  constexpr int kWithScreen = 1, kLateRatherThanNever = -1;
-  if (SDL_GL_SetSwapInterval(kLateRatherThanNever) != 0) SDL_GL_SetSwapInterval(kWithScreen);
+  made->wait_for_screen(true);
   return made;
 }
 
@@ -116,7 +115,18 @@ void ViewWindow::show(const render::OffscreenTarget& picture) {
 }
 
 void ViewWindow::present() {
+  ++presented_;
   SDL_GL_SwapWindow(window_);
+}
+
+void ViewWindow::wait_for_screen(bool on) {
+  if (std::exchange(waits_for_screen_, on) == on) return;
+  constexpr int kAtOnce = 0, kWithScreen = 1, kLateRatherThanNever = -1;
+  if (!on) {
+    SDL_GL_SetSwapInterval(kAtOnce);
+  } else if (SDL_GL_SetSwapInterval(kLateRatherThanNever) != 0) {
+    SDL_GL_SetSwapInterval(kWithScreen);
+  }
 }
 
 ColorImage ViewWindow::read() const {

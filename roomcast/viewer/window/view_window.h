@@ -4,6 +4,7 @@
 // is current there. One window per process.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -39,8 +40,12 @@ class ViewWindow final : public ViewTarget {
   /// Fills the window with the picture, scaled, and cropped if the aspect ratios differ. Visible
   /// after present().
   void show(const render::OffscreenTarget& picture) override;
-  /// Waits for the screen's refresh if the driver supports that.
+  /// Waits for the screen's refresh if the driver supports that and wait_for_screen() is on.
   void present();
+  /// On at first. Off while something else sets the pace, as a headset does.
+  void wait_for_screen(bool on);
+  [[nodiscard]] bool waits_for_screen() const { return waits_for_screen_; }
+  [[nodiscard]] std::uint64_t presented() const { return presented_; }
   /// The window's content, before present().
   [[nodiscard]] ColorImage read() const;
 
@@ -57,6 +62,8 @@ class ViewWindow final : public ViewTarget {
 
   SDL_Window* window_;
   void* context_;
+  bool waits_for_screen_ = false;
+  std::uint64_t presented_ = 0;
 };
 
 }  // namespace roomcast::viewer

@@ -47,7 +47,7 @@ inline constexpr std::array kKeyHelp = {
     KeyHelp{"F, F11", "full screen"},
     KeyHelp{"P, F12", "screenshot"},
     KeyHelp{"V", "video: start, stop"},
-    KeyHelp{"C", "headset: this way is forward"},
+    KeyHelp{"C", "headset: to the start, or back into the room"},
     KeyHelp{"Esc", "release the mouse, leave full screen"},
     KeyHelp{"Ctrl Q", "quit"},
     KeyHelp{"gamepad", "left stick walks, right stick looks, triggers down and up"},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <epoxy/gl.h>
 
 #include "roomcast/viewer/xr/xr_status.h"
@@ -16,6 +17,12 @@ constexpr XrViewConfigurationType kStereo = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_S
 constexpr std::array<std::int64_t, 2> kColorFormats = {GL_SRGB8_ALPHA8, GL_RGBA8};
 constexpr std::array<std::int64_t, 1> kDepthFormats = {GL_DEPTH_COMPONENT32F};
 constexpr float kEyeHeight_m = 1.6F;
+
+RigidTransform midway(const RigidTransform& a, const RigidTransform& b) {
+  const Eigen::Quaterniond rotation =
+      Eigen::Quaterniond(a.rotation).slerp(0.5, Eigen::Quaterniond(b.rotation));
+  return {rotation.toRotationMatrix(), (a.translation_m + b.translation_m) / 2};
+}
 
 Result<bool> offers_stage(XrSession session) {
   const char* const what = "asking for the floor";
@@ -158,7 +165,8 @@ Result<HeadsetFrame> Headset::begin_frame() {
   return frame;
 }
 
-/// The head is midway between the eyes. Without tracking, nothing is drawn.
+/// The head is midway between the eyes and looks midway between their directions, which differ
+/// where the displays are canted. Without tracking, nothing is drawn.
 Status Headset::locate_eyes(VrInput& input) {
   auto info = xr_struct<XrViewLocateInfo>(XR_TYPE_VIEW_LOCATE_INFO);
   info.viewConfigurationType = kStereo;
@@ -180,9 +188,8 @@ Status Headset::locate_eyes(VrInput& input) {
     if (auto status = eyes_[eye].look(views[eye]); !status) return status;
   }
   draw_alike(eyes_[0], eyes_[1]);
-  input.stage_from_head = transform_from_pose(views[0].pose);
-  input.stage_from_head.translation_m =
-      (input.stage_from_head.translation_m + transform_from_pose(views[1].pose).translation_m) / 2;
+  input.stage_from_head =
+      midway(transform_from_pose(views[0].pose), transform_from_pose(views[1].pose));
   return {};
 }
 

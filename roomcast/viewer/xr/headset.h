@@ -43,9 +43,12 @@ class Headset {
   Headset& operator=(const Headset&) = delete;
 
   /// Handles the runtime's events. kClosed: the session is over (lost, or ended by the user in the
-  /// headset's software); then destroy the Headset.
+  /// headset's software: has_exited()); then destroy the Headset.
   Status poll();
-  /// True if the runtime wants frames; false while the headset is not worn.
+  /// The user has ended the session. It must not begin again of its own accord (OpenXR 1.0, section
+  /// 9.3, XR_SESSION_STATE_EXITING).
+  [[nodiscard]] bool has_exited() const { return state_ == XR_SESSION_STATE_EXITING; }
+  /// True if the runtime wants frames, seen or not; false while the headset is not worn.
   [[nodiscard]] bool is_running() const { return is_running_; }
   [[nodiscard]] XrSessionState state() const { return state_; }
   [[nodiscard]] const std::string& name() const { return runtime_.name(); }

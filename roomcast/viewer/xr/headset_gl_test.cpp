@@ -183,6 +183,7 @@ TEST_F(HeadsetTest, reports_when_the_wearer_ends_the_session) {
   ASSERT_FALSE(over.ok());
   EXPECT_EQ(over.error().code, ErrorCode::kClosed);
   EXPECT_EQ(over.error().message, "the headset was put away");
+  EXPECT_TRUE(headset->has_exited());
 }
 
 TEST_F(HeadsetTest, ends_in_good_order_when_asked) {
@@ -201,6 +202,7 @@ TEST_F(HeadsetTest, that_is_lost_can_be_found_again) {
   ASSERT_FALSE(lost.ok());
   EXPECT_EQ(lost.error().code, ErrorCode::kClosed);
   EXPECT_FALSE(headset->poll().ok());
+  EXPECT_FALSE(headset->has_exited());
   headset.reset();
   open();
   EXPECT_TRUE(draw().ok());
@@ -212,6 +214,30 @@ TEST_F(HeadsetTest, a_head_that_is_not_tracked_sees_nothing) {
   ASSERT_TRUE(draw().ok());
   EXPECT_EQ(runtime.frames, 1U);
   EXPECT_EQ(runtime.frames_with_layer, 0U);
+}
+
+TEST_F(HeadsetTest, with_canted_displays_the_head_looks_between_them) {
+  constexpr float kHalfYaw_rad = 0.2F;
+  runtime.cant_rad = 0.17F;
+  runtime.head_at = [](XrTime) {
+    return XrPosef{{0, std::sin(kHalfYaw_rad), 0, std::cos(kHalfYaw_rad)}, {0.3F, 1.6F, 0}};
+  };
+  open();
+  const auto frame = headset->begin_frame();
+  ASSERT_TRUE(frame.ok());
+  const RigidTransform expected = transform_from_pose(runtime.head_at(0));
+  EXPECT_TRUE(frame->input.stage_from_head.rotation.isApprox(expected.rotation, 1e-5));
+  EXPECT_TRUE(frame->input.stage_from_head.translation_m.isApprox(expected.translation_m, 1e-5));
+  EXPECT_FALSE(headset->end_frame().ok()) << "its eyes were given nothing";
+}
+
+TEST_F(HeadsetTest, a_frame_behind_another_program_is_not_seen) {
+  runtime.is_seen = false;
+  open();
+  ASSERT_TRUE(draw().ok());
+  EXPECT_EQ(runtime.frames, 1U);
+  EXPECT_EQ(runtime.frames_with_layer, 0U);
+  EXPECT_TRUE(headset->is_running());
 }
 
 TEST_F(HeadsetTest, hands_have_their_poses_and_buttons) {

@@ -37,7 +37,8 @@ Result<std::unique_ptr<HeadsetView>> HeadsetView::open() {
 Status HeadsetView::draw(RoomView& room, const ViewSettings& settings, const ViewState& start) {
   const auto frame = headset_->begin_frame();
   if (!frame) return frame.error();
-  if (frame->is_seen) {
+  is_seen_ = frame->is_seen;
+  if (is_seen_) {
     move(frame->input, settings, start);
     Status drawn = find_pointed_at(room, frame->input);
     room.people().set_own(seen_of_self(frame->input));
@@ -105,7 +106,7 @@ Status HeadsetView::draw_eyes(RoomView& room, render::RenderMode mode) {
 
 std::string HeadsetView::report() const {
   const FrameTiming& timing = headset_->timing();
-  if (!is_running()) return headset_->name() + ": not worn";
+  if (!is_seen()) return headset_->name() + ": not worn";
   return fmt::format("{}: {:.0f} Hz, {:.1f} ms a frame, {} of {} missed", headset_->name(),
                      timing.headset_per_s(),
                      std::chrono::duration<double, std::milli>(timing.ours()).count(),

@@ -23,8 +23,12 @@ class HeadsetView {
 
   /// Errors as Headset::poll.
   Status poll() { return headset_->poll(); }
-  /// True while the headset is worn: then call draw().
+  /// True while the headset wants frames: then call draw().
   [[nodiscard]] bool is_running() const { return headset_->is_running(); }
+  /// True if the newest frame was seen: not while the headset lies on a desk, or behind another
+  /// program.
+  [[nodiscard]] bool is_seen() const { return is_seen_ && is_running(); }
+  [[nodiscard]] bool has_exited() const { return headset_->has_exited(); }
 
   /// Waits until the headset wants a frame, moves the wearer and draws. `start`: the wearer's
   /// position at the start and after recentring. Errors as Headset's and RoomView::draw.
@@ -32,7 +36,7 @@ class HeadsetView {
   /// Moves the wearer to the start at the next frame.
   void recenter() { is_placed_ = false; }
 
-  /// The wearer's pose in the newest frame, world frame.
+  /// The wearer's pose in the newest frame that was seen, world frame.
   [[nodiscard]] const client::PersonPose& pose() const { return pose_; }
   /// The two-eye picture, left eye at the left; null before the first frame.
   [[nodiscard]] const render::OffscreenTarget* left_eye() const { return picture_.target(); }
@@ -51,7 +55,7 @@ class HeadsetView {
 
   std::unique_ptr<Headset> headset_;
   VrWalk walk_;
-  bool is_placed_ = false;
+  bool is_placed_ = false, is_seen_ = false;
   HostTime last_frame_{};
   client::PersonPose pose_;
   RoomPicture picture_;

@@ -18,7 +18,7 @@ XRAPI_ATTR XrResult XRAPI_CALL wait_frame(XrSession, const XrFrameWaitInfo*, XrF
   session.frame_waited = true;
   frame->predictedDisplayTime = session.display;
   frame->predictedDisplayPeriod = TestRuntime::kPeriod_ns;
-  frame->shouldRender = XR_TRUE;
+  frame->shouldRender = TestRuntime::instance().is_seen ? XR_TRUE : XR_FALSE;
   return XR_SUCCESS;
 }
 
@@ -39,6 +39,12 @@ XrVector3f turned(const XrQuaternionf& q, const XrVector3f& v) {
           v.z + q.w * t.z + q.x * t.y - q.y * t.x};
 }
 
+XrQuaternionf product(const XrQuaternionf& a, const XrQuaternionf& b) {
+  return {
+      a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+      a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
+}
+
 XRAPI_ATTR XrResult XRAPI_CALL locate_views(XrSession, const XrViewLocateInfo* info,
                                             XrViewState* state, std::uint32_t capacity,
                                             std::uint32_t* count, XrView* views) {
@@ -53,7 +59,10 @@ XRAPI_ATTR XrResult XRAPI_CALL locate_views(XrSession, const XrViewLocateInfo* i
     const float side = eye == 0 ? -1.F : 1.F;
     const XrVector3f offset =
         turned(head.orientation, {side * TestRuntime::kHalfEyeDistance_m, 0, 0});
+    const float half_cant = -side * runtime.cant_rad / 2;  // +y turns to the left
     views[eye].pose = head;
+    views[eye].pose.orientation =
+        product(head.orientation, {0, std::sin(half_cant), 0, std::cos(half_cant)});
     views[eye].pose.position.x += offset.x;
     views[eye].pose.position.y += offset.y;
     views[eye].pose.position.z += offset.z;

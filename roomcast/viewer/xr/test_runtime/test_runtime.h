@@ -57,6 +57,8 @@ class TestRuntime {
   bool is_connected = true;  // whether there is a headset
   bool offers_depth = true;
   bool is_tracked = true;  // whether the head is tracked
+  bool is_seen = true;     // false: another program is in front
+  float cant_rad = 0;      // each display is turned outwards by this angle, about y
   void take_off();         // ends rendering; the session resumes at put_on()
   void put_on();
   void ask_for_end();
