@@ -205,7 +205,7 @@ Status run_hub(const HubFlags& flags) {
   hub::daemon::HubAligners aligners(log);
   hub::HubOptions options = plan->options;
   options.web_directory = find_web_directory(plan->config.web);
-  auto folder = hub::daemon::make_data_folder(plan->config.data);
+  auto folder = hub::daemon::make_data_folder(plan->config.data, log);
   if (!folder) return folder.error();
   options.data_folder = *std::move(folder);
   options.log = log;

@@ -10,6 +10,7 @@
 
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/qr_code.h"
+#include "roomcast/cli/stderr_log.h"
 #include "roomcast/cli/time_span.h"
 #include "roomcast/hub/access/hub_secret.h"
 #include "roomcast/hub/admin/admin_answer.h"
@@ -59,7 +60,8 @@ Result<std::unique_ptr<hub::HubStore>> open_hub_store(const std::filesystem::pat
 /// Opens the store or creates it: a token may be made before the hub has ever run.
 Result<std::unique_ptr<hub::HubStore>> open_or_create_hub_store(
     const std::filesystem::path& folder) {
-  if (auto made = hub::daemon::make_data_folder(folder); !made) return made.error();
+  if (auto made = hub::daemon::make_data_folder(folder, stderr_log("token", false)); !made)
+    return made.error();
   return hub::HubStore::open(folder);
 }
 

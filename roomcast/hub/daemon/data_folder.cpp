@@ -8,6 +8,8 @@
 
 #include <unistd.h>
 
+#include "roomcast/io/private_folder.h"
+
 namespace roomcast::hub::daemon {
 
 namespace fs = std::filesystem;
@@ -26,14 +28,18 @@ std::optional<fs::path> data_folder(const std::string& named) {
   return named.empty() ? default_data_folder() : std::optional<fs::path>(named);
 }
 
-Result<std::optional<fs::path>> make_data_folder(const std::string& named) {
+Result<std::optional<fs::path>> make_data_folder(const std::string& named, const LogSink& log) {
   const auto folder = data_folder(named);
   if (!folder) return folder;
-  std::error_code error;
-  fs::create_directories(*folder, error);
-  if (!error) return folder;
-  return Error{ErrorCode::kUnavailable, "cannot create the folder " + folder->string() + ": " +
-                                            error.message() + "; name another with --data"};
+  const auto was_open = io::make_private_folder(*folder);
+  if (!was_open) {
+    return Error{ErrorCode::kUnavailable, was_open.error().message + "; name another with --data"};
+  }
+  if (*was_open && log) {
+    log(LogLevel::kWarning, "other users of this machine could read " + folder->string() +
+                                ", with the hub's recordings; it is closed to them now");
+  }
+  return folder;
 }
 
 Status check_folder(const fs::path& folder) {

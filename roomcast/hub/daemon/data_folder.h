@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
 
 namespace roomcast::hub::daemon {
@@ -17,10 +18,10 @@ namespace roomcast::hub::daemon {
 /// `named`, or the default folder if it is empty.
 [[nodiscard]] std::optional<std::filesystem::path> data_folder(const std::string& named);
 
-/// The data folder, created if missing; nothing: there is no home folder. kUnavailable: it cannot
-/// be created.
+/// The data folder, created if missing and closed to other users, which `log` is told where it was
+/// open; nothing: there is no home folder. kUnavailable: it cannot be created.
 [[nodiscard]] Result<std::optional<std::filesystem::path>> make_data_folder(
-    const std::string& named);
+    const std::string& named, const LogSink& log);
 
 /// Checks that this program can write in the folder, or could create it. Changes nothing.
 /// kUnavailable: it cannot; the message gives the reason.

@@ -8,6 +8,7 @@
 #include <boost/asio/ip/host_name.hpp>
 
 #include "roomcast/hub/daemon/data_folder.h"
+#include "roomcast/io/private_folder.h"
 
 namespace roomcast::hub::daemon {
 
@@ -28,7 +29,7 @@ Result<std::optional<net::Certificate>> find_self_signed(const fs::path& folder,
   std::error_code error;
   const bool is_there = fs::exists(file, error);
   if (!is_there && options.only_look) return std::optional<net::Certificate>();
-  if (!is_there) fs::create_directories(folder, error);
+  if (!is_there) (void)io::make_private_folder(folder);  // if that fails, saving says why
   auto certificate = is_there
                          ? net::Certificate::load(file, file)
                          : net::Certificate::make_self_signed(own_hosts(options.listen_address));

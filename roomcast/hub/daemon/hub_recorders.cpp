@@ -6,6 +6,7 @@
 #include <boost/asio/post.hpp>
 
 #include "roomcast/io/numbered_files.h"
+#include "roomcast/io/private_folder.h"
 
 namespace roomcast::hub::daemon {
 
@@ -101,6 +102,8 @@ Result<std::unique_ptr<recording::Recorder>> HubRecorders::open_recorder(
 }
 
 void HubRecorders::open(const std::string& room) {
+  std::error_code error;
+  if (!std::filesystem::exists(folder_, error)) (void)io::make_private_folder(folder_);
   const auto file = io::next_free_path(folder_, io::file_stem(room), ".mcap");
   auto recorder = file ? open_recorder(room, *file)
                        : Result<std::unique_ptr<recording::Recorder>>(file.error());

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/hub/store/database.h"
 
+#include <fcntl.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace roomcast::hub {
 
@@ -33,9 +36,19 @@ constexpr const char* kSteps[Database::kVersion] = {
     "UPDATE codes SET issued_at = expires_at - 3600;",  // codes were valid for one hour
 };
 
+/// Names of rooms and of people are nobody else's business. SQLite gives its other files (WAL,
+/// shared memory) the mode of the database. If anything fails here, SQLite says what.
+void keep_private(const std::filesystem::path& file) {
+  constexpr mode_t kPrivateMode = 0600;
+  const int made = ::open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, kPrivateMode);
+  // An existing file is not opened here: closing it again would drop SQLite's locks.
+  made >= 0 ? (void)::close(made) : (void)::chmod(file.c_str(), kPrivateMode);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Database>> Database::open(const std::optional<std::filesystem::path>& file) {
+  if (file) keep_private(*file);
   sqlite3* handle = nullptr;
   const std::string name = file ? file->string() : ":memory:";
   const int opened = sqlite3_open(name.c_str(), &handle);

@@ -29,6 +29,19 @@ TEST(Database, refuses_a_file_of_another_kind) {
   EXPECT_FALSE(Database::open(folder.path() / "no" / "such" / "folder").ok());
 }
 
+TEST(Database, is_for_its_owner_only_also_one_that_was_not) {
+  namespace fs = std::filesystem;
+  constexpr fs::perms kPrivateFile = fs::perms::owner_read | fs::perms::owner_write;
+  const TemporaryFolder folder;
+  ASSERT_TRUE(Database::open(folder / "hub.sqlite").ok());
+  EXPECT_EQ(fs::status(folder / "hub.sqlite").permissions(), kPrivateFile);
+  fs::permissions(folder / "hub.sqlite", fs::perms::others_read, fs::perm_options::add);
+  const auto opened = Database::open(folder / "hub.sqlite");
+  ASSERT_TRUE(opened.ok());
+  for (const auto& file : fs::directory_iterator(folder.path()))
+    EXPECT_EQ(fs::status(file).permissions(), kPrivateFile) << file.path();
+}
+
 TEST(Database, refuses_a_file_of_a_later_version) {
   const TemporaryFolder folder;
   ASSERT_TRUE(Database::open(folder / "hub.sqlite").ok());

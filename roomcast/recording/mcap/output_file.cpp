@@ -11,6 +11,8 @@
 namespace roomcast::recording::mcap {
 namespace {
 
+constexpr mode_t kOwnerOnly = 0600;  // a recording shows a room
+
 std::string reason(int error) {
   if (error == ENOSPC || error == EDQUOT) return "the disk is full";
   if (error == EFBIG) return "the file has reached the size limit of this user or disk";
@@ -20,7 +22,7 @@ std::string reason(int error) {
 }  // namespace
 
 Result<OutputFile> OutputFile::create(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kOwnerOnly);
   if (descriptor >= 0) return OutputFile(path, descriptor);
   const std::string why = errno == EEXIST
                               ? "it exists already, and nothing is overwritten; choose another name"

@@ -20,6 +20,14 @@ TEST(OutputFile, overwrites_nothing) {
   EXPECT_NE(again.error().message.find("nothing is overwritten"), std::string::npos);
 }
 
+TEST(OutputFile, is_for_its_owner_only) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(OutputFile::create(folder / "out").ok());
+  using std::filesystem::perms;
+  EXPECT_EQ(std::filesystem::status(folder / "out").permissions(),
+            perms::owner_read | perms::owner_write);
+}
+
 TEST(OutputFile, says_where_it_cannot_be_made) {
   const auto file = OutputFile::create("/no/such/folder/a.mcap");
   ASSERT_FALSE(file.ok());
