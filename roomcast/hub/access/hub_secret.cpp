@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/hub/access/hub_secret.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <span>
@@ -47,8 +48,12 @@ Result<HubSecret> read_secret(const std::filesystem::path& path) {
                  "others may read the hub's secret: run chmod 600 " + path.string()};
   }
   HubSecret secret{};
-  if (status.st_size != static_cast<off_t>(secret.size()) ||
-      ::read(file.get(), secret.data(), secret.size()) != static_cast<ssize_t>(secret.size())) {
+  const bool is_whole =
+      status.st_size == static_cast<off_t>(secret.size()) &&
+      ::read(file.get(), secret.data(), secret.size()) == static_cast<ssize_t>(secret.size());
+  // Zeros are what a file system leaves of a file that was being written when the power failed.
+  const bool is_random = std::ranges::any_of(secret, [](auto byte) { return byte != 0; });
+  if (!is_whole || !is_random) {
     return Error{ErrorCode::kMalformed,
                  path.string() + " is not a hub's secret; delete it, and all tokens with it"};
   }

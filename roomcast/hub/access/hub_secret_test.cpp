@@ -53,6 +53,13 @@ TEST(HubSecret, refuses_a_file_of_another_kind) {
   EXPECT_EQ(find_hub_secret(folder.path() / "secret").error().code, ErrorCode::kMalformed);
 }
 
+TEST(HubSecret, of_zeros_is_refused) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "secret") << std::string(std::tuple_size_v<HubSecret>, '\0');
+  fs::permissions(folder.path() / "secret", fs::perms::owner_read);
+  EXPECT_EQ(find_hub_secret(folder.path() / "secret").error().code, ErrorCode::kMalformed);
+}
+
 TEST(HubSecret, is_not_read_through_a_symbolic_link) {
   const TemporaryFolder folder;
   ASSERT_TRUE(find_hub_secret(folder.path() / "secret").ok());
