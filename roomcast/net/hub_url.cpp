@@ -45,9 +45,19 @@ bool is_host_character(char c) {
          c == '-' || c == '_';
 }
 
+/// Labels between dots, none of them empty but a last one, and none beginning or ending with "-"
+/// (RFC 1123, section 2.1; with "_", which local networks use).
 bool is_host_name(std::string_view host) {
-  return !host.empty() && host.size() <= kMaxHostLength &&
-         std::ranges::all_of(host, is_host_character);
+  if (host.empty() || host.size() > kMaxHostLength) return false;
+  if (host.ends_with('.')) host.remove_suffix(1);
+  for (;;) {
+    const auto dot = std::min(host.find('.'), host.size());
+    const std::string_view label = host.substr(0, dot);
+    if (label.empty() || label.starts_with('-') || label.ends_with('-')) return false;
+    if (!std::ranges::all_of(label, is_host_character)) return false;
+    if (dot == host.size()) return true;
+    host.remove_prefix(dot + 1);
+  }
 }
 
 bool is_ipv6(std::string_view host) {
@@ -107,6 +117,7 @@ Result<HubUrl> parse_hub_url(std::string_view text) {
   if (!authority || !is_path(path)) return not_an_address(text);
 
   url.host = authority->host;
+  if (url.tls) url.port = kDefaultTlsPort;
   if (!authority->port.empty()) {
     const auto port =
         authority->port.front() == ':' ? parse_port(authority->port.substr(1)) : std::nullopt;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Address of a hub: "ws://host:port/ws", "http://host:port", "host:port", "host", "[::1]:7600";
 // with TLS "wss://host:port/ws", "https://host". "wss://host#sha256=<64 hexadecimal digits>" trusts
-// only the certificate with this fingerprint, regardless of its signer. The default port is 7600,
-// also for https:// and wss://: a hub behind a proxy is "https://host:443".
+// only the certificate with this fingerprint, regardless of its signer. The default port is that of
+// every https:// and wss:// address, 443; without TLS it is the hub's own, 7600.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace roomcast::net {
 
-inline constexpr std::uint16_t kDefaultPort = 7600;
+inline constexpr std::uint16_t kDefaultPort = 7600, kDefaultTlsPort = 443;
 
 struct HubUrl {
   std::string host;  // without the brackets of an IPv6 address

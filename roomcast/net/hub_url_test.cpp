@@ -19,6 +19,7 @@ TEST(HubUrl, fills_in_omitted_parts) {
   EXPECT_EQ(parsed("http://hub.example:7601"), "ws://hub.example:7601/ws");
   EXPECT_EQ(parsed("http://hub.example:7601/"), "ws://hub.example:7601/ws");
   EXPECT_EQ(parsed("127.0.0.1:7600"), "ws://127.0.0.1:7600/ws");
+  EXPECT_EQ(parsed("left_camera.lan."), "ws://left_camera.lan.:7600/ws");
   EXPECT_EQ(parsed("localhost"), "ws://localhost:7600/ws");
   EXPECT_EQ(parsed("WS://localhost"), "ws://localhost:7600/ws");
   EXPECT_EQ(parsed("ws://proxy.example/rooms/ws"), "ws://proxy.example:7600/rooms/ws");
@@ -31,11 +32,32 @@ TEST(HubUrl, reads_ipv6_addresses_in_brackets) {
 }
 
 TEST(HubUrl, refuses_invalid_addresses) {
-  for (const std::string_view text :
-       {"",           "ws://",     "ws://:7600",  "host:",  "host:0",
-        "host:65536", "host:-1",   "host:76x",    "a b",    "ws://user@host",
-        "ftp://host", "ws://[::1", "ws://[::1]x", "[]",     "::1",
-        "host/p?q",   "host/#x",   "host/a b",    "ho\nst", "host:7600\r\nX: y"}) {
+  for (const std::string_view text : {"",
+                                      "ws://",
+                                      "ws://:7600",
+                                      "host:",
+                                      "host:0",
+                                      "host:65536",
+                                      "host:-1",
+                                      "host:76x",
+                                      "a b",
+                                      "ws://user@host",
+                                      "ftp://host",
+                                      "ws://[::1",
+                                      "ws://[::1]x",
+                                      "[]",
+                                      "::1",
+                                      "../etc",
+                                      "..",
+                                      ".",
+                                      "-1",
+                                      "a-.b",
+                                      "a..b",
+                                      "host/p?q",
+                                      "host/#x",
+                                      "host/a b",
+                                      "ho\nst",
+                                      "host:7600\r\nX: y"}) {
     const auto url = parse_hub_url(text);
     ASSERT_FALSE(url.ok()) << text;
     EXPECT_EQ(url.error().code, ErrorCode::kInvalidArgument) << text;
@@ -48,7 +70,7 @@ TEST(HubUrl, refuses_overlong_parts) {
 }
 
 TEST(HubUrl, knows_where_there_is_encryption) {
-  EXPECT_EQ(parsed("wss://hub.example"), "wss://hub.example:7600/ws");
+  EXPECT_EQ(parsed("wss://hub.example"), "wss://hub.example:443/ws");
   EXPECT_EQ(parsed("https://hub.example:443/"), "wss://hub.example:443/ws");
   EXPECT_FALSE(parse_hub_url("hub.example")->tls);
 }
