@@ -22,7 +22,8 @@ struct Credential {
   return {.token = std::move(text), .code = {}};
 }
 
-/// The first word of `file`. kNotFound: the file has none, or cannot be read.
+/// The first word of `file`. kNotFound: the file has none, or cannot be read; kTooLarge: it is no
+/// file with a token.
 [[nodiscard]] Result<Credential> read_credential_file(const std::string& file);
 
 inline void show(const Credential& credential, wire::pb::Join& join) {

@@ -3,16 +3,17 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <thread>
 
+#include "roomcast/core/text_file.h"
 #include "roomcast/hub/daemon/hub_certificate.h"
 #include "roomcast/net/peer_name.h"
 
 namespace roomcast::hub::daemon {
 
 namespace {
+
+constexpr std::size_t kMaxConfigBytes = 1 << 20;
 
 hub::HubLimits limits_of(const hub::HubConfig& config) {
   hub::HubLimits limits;
@@ -43,10 +44,9 @@ net::AllowedNames names_of(const hub::HubConfig& config, const std::string& list
 Result<hub::HubConfig> find_hub_config(const std::string& file) {
   hub::HubConfig config;
   if (!file.empty()) {
-    std::ifstream stream(file);
-    if (!stream) return Error{ErrorCode::kNotFound, file + ": there is no such file to read"};
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    auto read = hub::read_config(config, text);
+    const auto text = read_text_file(file, kMaxConfigBytes);
+    if (!text) return text.error();
+    auto read = hub::read_config(config, *text);
     if (!read) return Error{read.error().code, file + ": " + read.error().message};
     config = *std::move(read);
   }

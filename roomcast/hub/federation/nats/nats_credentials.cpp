@@ -2,8 +2,6 @@
 #include "roomcast/hub/federation/nats/nats_credentials.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +10,7 @@
 #include <openssl/evp.h>
 
 #include "roomcast/core/assert.h"
+#include "roomcast/core/text_file.h"
 
 namespace roomcast::hub::federation {
 namespace {
@@ -86,9 +85,10 @@ std::string base64url(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 Result<NatsCredentials> NatsCredentials::load(const std::string& file) {
-  std::ifstream stream(file);
-  if (!stream) return Error{ErrorCode::kNotFound, "cannot read " + file};
-  auto credentials = parse(std::string(std::istreambuf_iterator<char>(stream), {}));
+  constexpr std::size_t kMaxFileBytes = 64 << 10;
+  const auto text = read_text_file(file, kMaxFileBytes);
+  if (!text) return text.error();
+  auto credentials = parse(*text);
   if (!credentials) return Error{ErrorCode::kMalformed, file + " " + credentials.error().message};
   return credentials;
 }
