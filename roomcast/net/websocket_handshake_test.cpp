@@ -94,6 +94,16 @@ TEST(WebSocketHandshake, refuses_a_missing_or_other_subprotocol) {
   EXPECT_EQ(refusal_of(request), 400);
 }
 
+TEST(WebSocketHandshake, refuses_two_hosts_and_two_origins) {
+  auto two_hosts = good_request();
+  two_hosts.insert(http::field::host, "evil.example");
+  EXPECT_EQ(refusal_of(two_hosts), 400);
+  auto two_origins = good_request();
+  two_origins.set(http::field::origin, "http://hub.example:7600");
+  two_origins.insert(http::field::origin, "http://evil.example");
+  EXPECT_EQ(refusal_of(two_origins), 400);
+}
+
 TEST(WebSocketHandshake, refuses_pages_of_peer_origins) {
   auto request = good_request();
   request.set(http::field::origin, "http://hub.example:7600");
