@@ -224,7 +224,10 @@ void Recorder::Link::check(const Status& status) {
 }
 
 void Recorder::Link::fail(const Error& reason) {
-  if (writer_) (void)writer_->finish();  // as far as the disk has space
+  if (writer_) {
+    (void)writer_->finish();  // as far as the disk has space
+    count();
+  }
   writer_.reset();
   chunk_timer_.stop();
   {

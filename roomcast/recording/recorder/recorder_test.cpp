@@ -185,6 +185,7 @@ TEST_F(RecorderTest, a_full_disk_ends_the_recording_with_a_sentence_and_the_file
   const auto file = RoomRecording::open(path);
   ASSERT_TRUE(file.ok());
   EXPECT_EQ(file->sensors()[0].frame_count, 1u);
+  EXPECT_EQ(recorder->stats().frames, 1u) << "those that did not fit are not counted";
 }
 
 TEST_F(RecorderTest, a_room_that_does_not_let_viewers_record_is_not_kept) {

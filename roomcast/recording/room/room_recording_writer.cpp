@@ -59,7 +59,7 @@ Result<RoomRecordingWriter> RoomRecordingWriter::create(const std::filesystem::p
 /// If there are several such records, the last one takes effect.
 Status RoomRecordingWriter::forbid_export() {
   const auto [known, is_new] = about_.insert_or_assign(std::string(kExportKey), kForbidden);
-  return is_new ? writer_.add_metadata(kMetadataName, about_) : Status();
+  return is_new ? settle_chunk(writer_.add_metadata(kMetadataName, about_)) : Status();
 }
 
 RoomRecordingWriter::Stream& RoomRecordingWriter::stream(std::string_view topic,
@@ -80,6 +80,7 @@ Status RoomRecordingWriter::add(Stream& stream, std::span<const std::uint8_t> da
                                      .log_time = log_time,
                                      .publish_time = publish_time,
                                      .data = data});
+  status = settle_chunk(status);
   return status ? close_old_chunk(log_time) : status;
 }
 
@@ -89,9 +90,18 @@ Status RoomRecordingWriter::add(Stream& stream, const google::protobuf::MessageL
   return add(stream, bytes_of(scratch_), log_time, log_time);
 }
 
+Status RoomRecordingWriter::settle_chunk(Status status) {
+  if (!writer_.chunk_is_empty()) return status;
+  const Frames done = std::exchange(in_chunk_, {});
+  if (!status) return status;
+  written_.frames += done.frames;
+  written_.bytes += done.bytes;
+  return status;
+}
+
 Status RoomRecordingWriter::close_old_chunk(nanoseconds now) {
   if (writer_.chunk_is_empty() || now - chunk_began_ < kLongestChunk) return {};
-  return writer_.close_chunk();
+  return settle_chunk(writer_.close_chunk());
 }
 
 Status RoomRecordingWriter::add_clock(const RoomClock& clock, nanoseconds log_time) {
@@ -131,14 +141,14 @@ Status RoomRecordingWriter::add_frame(std::span<const std::uint8_t> message, nan
   if (!header) return {};
   const auto sensor = frame_streams_.find(header->sensor.value);
   if (sensor == frame_streams_.end()) return {};
-  ++frames_;
-  frame_bytes_ += message.size();
+  ++in_chunk_.frames;
+  in_chunk_.bytes += message.size();
   return add(*sensor->second, message, log_time,
              header->capture_time.time_since_epoch() + clock_.unix_minus_room);
 }
 
 Status RoomRecordingWriter::finish() {
-  return writer_.finish();
+  return settle_chunk(writer_.finish());
 }
 
 }  // namespace roomcast::recording

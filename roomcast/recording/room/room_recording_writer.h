@@ -51,8 +51,9 @@ class RoomRecordingWriter {
   [[nodiscard]] Status finish();
 
   [[nodiscard]] std::uint64_t bytes() const { return writer_.bytes(); }
-  [[nodiscard]] std::uint64_t frames() const { return frames_; }
-  [[nodiscard]] std::uint64_t frame_bytes() const { return frame_bytes_; }
+  /// Frames in the file and in the newest chunk, which a disk error can still take away.
+  [[nodiscard]] std::uint64_t frames() const { return written_.frames + in_chunk_.frames; }
+  [[nodiscard]] std::uint64_t frame_bytes() const { return written_.bytes + in_chunk_.bytes; }
 
  private:
   struct Stream {
@@ -63,6 +64,12 @@ class RoomRecordingWriter {
     recording::mcap::SchemaId frame, roster, poses, bundle, clock;
   };
 
+  struct Frames {
+    std::uint64_t frames = 0, bytes = 0;
+  };
+
+  /// Counts the frames of a chunk that was just written, or was lost (`status`).
+  Status settle_chunk(Status status);
   RoomRecordingWriter(recording::mcap::Writer writer, std::string room);
   Stream& stream(std::string_view topic, recording::mcap::SchemaId schema,
                  std::string_view encoding, recording::mcap::StringMap metadata = {});
@@ -78,8 +85,7 @@ class RoomRecordingWriter {
   std::map<std::uint32_t, std::string> sensors_;
   std::map<std::uint32_t, Stream*> frame_streams_;  // of the sensors in the last roster
   nanoseconds chunk_began_{};
-  std::uint64_t frames_ = 0;
-  std::uint64_t frame_bytes_ = 0;
+  Frames written_, in_chunk_;
   std::string scratch_;
 };
 
