@@ -69,6 +69,10 @@ Result<std::vector<std::string>> specs_of(const std::string& recording) {
   return specs;
 }
 
+Error read_in_part() {
+  return {ErrorCode::kClosed, "interrupted before the recording was read to its end"};
+}
+
 Result<SensorInfo> read_sensor(const std::string& spec, const std::stop_token& stop) {
   sensor::SourceOptions options;
   options.pace = source::Pace::kAsFastAsPossible;
@@ -83,6 +87,7 @@ Result<SensorInfo> read_sensor(const std::string& spec, const std::stop_token& s
   for (;;) {
     auto more = (*source)->next(frame, stop);
     if (!more) return more.error();
+    if (stop.stop_requested()) return read_in_part();  // figures of a part would be wrong ones
     if (!*more) return info;
     if (info.frames++ == 0) first = frame.device_time;
     info.seconds = std::chrono::duration<double>(frame.device_time - first).count();
@@ -122,7 +127,8 @@ Status write_thumbnails(const InfoOptions& options, const std::stop_token& stop)
   recording::ThumbnailStrip strip((*reader)->sensors());
   StatusLine line;
   recording::FrameSet set;
-  while (!stop.stop_requested()) {
+  for (;;) {
+    if (stop.stop_requested()) return read_in_part();
     const auto more = (*reader)->next(set);
     if (!more) return more.error();
     if (!*more) break;
@@ -150,6 +156,7 @@ Status run_info(const InfoOptions& options) {
   if (!specs) return specs.error();
   nlohmann::json report = {{"recording", options.recording}, {"sensors", nlohmann::json::array()}};
   for (const auto& spec : *specs) {
+    if (stop.token().stop_requested()) return read_in_part();
     const auto info = read_sensor(spec, stop.token());
     if (!info) return info.error();
     if (options.json) {
