@@ -54,20 +54,6 @@ Status check_cameras(std::span<const RigSensor> sensors) {
   return {};
 }
 
-/// Refuses a folder that is not empty, so that recordings are never overwritten.
-Status make_empty_folder(const fs::path& path) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (error) return cannot_make(path, error);
-  const bool empty = fs::is_empty(path, error);
-  if (error) return cannot_make(path, error);
-  if (!empty) {
-    return Error{ErrorCode::kUnavailable,
-                 path.string() + " is not empty, and nothing is overwritten; choose a new folder"};
-  }
-  return {};
-}
-
 Status make_sensor_folders(const fs::path& folder) {
   std::error_code error;
   for (const char* name : {"depth", "rgb"}) {
@@ -109,6 +95,19 @@ Status check_frame(const SensorCalibration& calibration, const source::CapturedF
 }
 
 }  // namespace
+
+Status make_empty_folder(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) return cannot_make(path, error);
+  const bool empty = fs::is_empty(path, error);
+  if (error) return cannot_make(path, error);
+  if (!empty) {
+    return Error{ErrorCode::kUnavailable,
+                 path.string() + " is not empty, and nothing is overwritten; choose a new folder"};
+  }
+  return {};
+}
 
 RigWriter::RigWriter(fs::path directory, double fps, std::vector<RigSensor> sensors,
                      RigWriterOptions options)

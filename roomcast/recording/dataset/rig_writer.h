@@ -31,6 +31,10 @@ struct RigWriterOptions {
   int jpeg_quality = 90;  // of colour, 1..100
 };
 
+/// Creates `directory` for a recording. kUnavailable: that fails, or it is not empty, since nothing
+/// is overwritten.
+[[nodiscard]] Status make_empty_folder(const std::filesystem::path& directory);
+
 class RigWriter {
  public:
   /// Creates `directory` with rig.json and camera.json of each sensor. kInvalidArgument for names
