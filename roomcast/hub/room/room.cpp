@@ -49,7 +49,10 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
       ask_for_sightings(message.sighting_request(), out);
       return out;
     case pb::Control::kNudge:
-      if (!may_nudge(from)) break;
+      if (!may_nudge(from)) {
+        return refuse(from, pb::ERROR_UNEXPECTED,
+                      "to move a sensor takes an admin's token (roomcast token --role admin)", now);
+      }
       pass_to_aligners(message, out);
       return out;
     case pb::Control::kPlacements:
