@@ -4,10 +4,11 @@
 #include <memory>
 #include <string>
 
-#include <fmt/format.h>
-
 #include "roomcast/alignment/board/board_pdf.h"
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/number_option.h"
+#include "roomcast/cli/print.h"
+#include "roomcast/io/file_bytes.h"
 
 namespace roomcast::cli {
 namespace {
@@ -23,11 +24,9 @@ Status write_board(const BoardOptions& options) {
   page.tag = options.tag;
   const auto pdf = alignment::board_pdf(page);
   if (!pdf) return pdf.error();
-  std::ofstream file(options.file, std::ios::binary);
-  file << *pdf << std::flush;
-  if (!file) return Error{ErrorCode::kUnavailable, "cannot write " + options.file};
-  fmt::print("wrote {}: print it at 100 %; the black square has to be {:.1f} mm wide\n",
-             options.file, alignment::tag_side_mm(page));
+  if (auto status = io::write_file(options.file, *pdf); !status) return status;
+  print_out("wrote {}: print it at 100 %; the black square has to be {:.1f} mm wide\n",
+            options.file, alignment::tag_side_mm(page));
   return {};
 }
 
@@ -42,7 +41,7 @@ void add_board_command(CLI::App& app, Command& chosen) {
       ->check(CLI::IsMember({"a4", "a3"}))
       ->capture_default_str();
   command->add_option("--tag", options->tag, "Number of the AprilTag (family 36h11)")
-      ->check(CLI::Range(0, 586))
+      ->check(within(0, 586))
       ->capture_default_str();
   command->footer(
       "Example:\n"

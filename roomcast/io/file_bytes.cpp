@@ -56,10 +56,11 @@ Status read_file(const std::filesystem::path& path, std::size_t limit_bytes,
 Status write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
   std::filesystem::path unfinished = path;
   unfinished += ".part";
+  std::error_code error;
   if (Status status = write_and_close(unfinished, "wb", bytes.data(), bytes.size()); !status.ok()) {
+    std::filesystem::remove(unfinished, error);
     return status;
   }
-  std::error_code error;
   std::filesystem::rename(unfinished, path, error);
   if (error) return cannot("write", path, error.value());
   return {};

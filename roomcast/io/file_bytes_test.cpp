@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/io/file_bytes.h"
 
+#include <csignal>
+
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "roomcast/recording/dataset/recording_fixture.h"
 
@@ -42,6 +45,21 @@ TEST(FileBytes, reading_refuses_missing_and_large_files_and_folders) {
   EXPECT_EQ(read_file(folder.path(), 10, bytes).error().code, ErrorCode::kNotFound);
   recording::put_text(folder / "large", "12345678901");
   EXPECT_EQ(read_file(folder / "large", 10, bytes).error().code, ErrorCode::kTooLarge);
+}
+
+TEST(FileBytes, a_file_that_does_not_fit_leaves_nothing_behind) {
+  const TemporaryFolder folder;
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit{100, before.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+  const Status status = write_file(folder / "a", std::string(1000, 'x'));
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  ASSERT_FALSE(status.ok());
+  EXPECT_NE(status.error().message.find("File too large"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(FileBytes, writing_into_a_missing_folder_says_so) {
