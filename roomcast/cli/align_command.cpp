@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // roomcast align: estimates the poses of a recording's sensors and reports their expected errors.
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -13,6 +12,7 @@
 #include "roomcast/cli/alignment_text.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/pair_list.h"
+#include "roomcast/cli/print.h"
 #include "roomcast/cli/recorded_alignment.h"
 #include "roomcast/cli/recorded_views.h"
 #include "roomcast/cli/rig_poses.h"
@@ -95,7 +95,7 @@ Status run_align(const AlignOptions& options) {
   if (options.write) {
     if (Status written = write_rig_poses(options.recording, *report); !written) return written;
   }
-  fmt::print("{}", text_of(*report, options));
+  print_out("{}", text_of(*report, options));
   return {};
 }
 

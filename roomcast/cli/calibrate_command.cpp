@@ -53,8 +53,8 @@ Status print_board(const CalibrateOptions& options) {
   const auto pdf = alignment::calibration::charuco_pdf(page_of(options));
   if (!pdf) return pdf.error();
   if (Status status = io::write_file(options.print, *pdf); !status) return status;
-  fmt::print("wrote {}: print it at 100 %; the squares have to be {:.0f} mm wide\n", options.print,
-             1000 * board_of(options).square_m);
+  print_out("wrote {}: print it at 100 %; the squares have to be {:.0f} mm wide\n", options.print,
+            1000 * board_of(options).square_m);
   return {};
 }
 
@@ -187,9 +187,9 @@ Status run_calibrate(const CalibrateOptions& options) {
   if (!report) return report.error();
   if (Status status = write_report(*report, options.out); !status) return status;
   if (options.json) {
-    fmt::print("{}\n", json_of(*report).dump(1));
+    print_out("{}\n", json_of(*report).dump(1));
   } else {
-    fmt::print(
+    print_out(
         "{}wrote {}/camera.json; corners.png and depth.png beside it show the remaining errors\n",
         text_of(*report), options.out);
   }

@@ -9,7 +9,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
 
 namespace roomcast::cli {
@@ -22,9 +21,6 @@ inline constexpr int kDone = 0, kFailed = 1, kWrongUsage = 2;
 /// Returns the exit code; on failure also prints "roomcast NAME: sentence" to stderr.
 /// kInvalidArgument is wrong usage.
 int finish(std::string_view name, const Status& status);
-
-/// Writes lines "roomcast NAME: ..." to stderr: warnings and errors only, unless `verbose`.
-LogSink stderr_log(std::string_view name, bool verbose);
 
 void add_demo_command(CLI::App& app, Command& chosen);
 void add_hub_command(CLI::App& app, Command& chosen);

@@ -14,6 +14,7 @@
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/web_directory.h"
+#include "roomcast/cli/stderr_log.h"
 #include "roomcast/client/subscriber.h"
 #include "roomcast/hub/daemon/hub_aligners.h"
 #include "roomcast/hub/server/hub_server.h"
@@ -143,9 +144,9 @@ Status watch_room(const Feeds& feeds, std::uint16_t port, double seconds,
     seen += sensor.picture != nullptr;
     placed += sensor.pose.is_placed() ? 1 : 0;
   }
-  fmt::print("received {} of {} sensors, {} placed, {:.1f} frame sets/s, {:.2f} MB/s\n", seen,
-             feeds.size(), placed, static_cast<double>(room->sets_received) / elapsed,
-             static_cast<double>(room->bytes_received) / elapsed / 1e6);
+  print_out("received {} of {} sensors, {} placed, {:.1f} frame sets/s, {:.2f} MB/s\n", seen,
+            feeds.size(), placed, static_cast<double>(room->sets_received) / elapsed,
+            static_cast<double>(room->bytes_received) / elapsed / 1e6);
   if (seen == feeds.size()) return {};
   return Error{ErrorCode::kUnavailable, "not every sensor sent a picture in time"};
 }
@@ -170,8 +171,8 @@ Status run_demo(const DemoOptions& options) {
   auto feeds = start_feeds(options, *specs, (*hub)->port(), stop.token());
   if (!feeds) return feeds.error();
   if (stop.token().stop_requested()) return {};
-  fmt::print("roomcast demo: open http://127.0.0.1:{}/{}\n", (*hub)->port(),
-             options.admin_link ? "#token=" + (*hub)->own_token() : "");
+  print_out("roomcast demo: open http://127.0.0.1:{}/{}\n", (*hub)->port(),
+            options.admin_link ? "#token=" + (*hub)->own_token() : "");
   std::fflush(stdout);
   return options.headless ? watch_room(*feeds, (*hub)->port(), options.seconds, stop.token())
                           : show_room(*feeds, options.seconds, stop.token());

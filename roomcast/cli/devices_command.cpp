@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/print.h"
 #include "roomcast/source/camera/usb_device.h"
 #include "roomcast/source/drivers/camera_kinds.h"
 
@@ -111,19 +112,19 @@ void print(const std::vector<Kind>& kinds) {
   for (const Kind& kind : kinds) {
     for (const Device& device : kind.devices) {
       any = true;
-      fmt::print("{}\n  {}\n", device.spec, device.model);
+      print_out("{}\n  {}\n", device.spec, device.model);
       if (device.obstacle) {
-        fmt::print("  cannot be opened: {}\n", *device.obstacle);
+        print_out("  cannot be opened: {}\n", *device.obstacle);
       } else {
-        fmt::print("  ready: {}\n", abilities_text(device.abilities));
+        print_out("  ready: {}\n", abilities_text(device.abilities));
       }
     }
   }
-  if (!any) fmt::print("no camera is plugged in\n");
-  fmt::print("\n");
+  if (!any) print_out("no camera is plugged in\n");
+  print_out("\n");
   for (const Kind& kind : kinds) {
-    fmt::print("{:<10} {:<38} {}\n", kind.kind->name, kind.kind->cameras,
-               kind.problem ? *kind.problem : kind.library);
+    print_out("{:<10} {:<38} {}\n", kind.kind->name, kind.kind->cameras,
+              kind.problem ? *kind.problem : kind.library);
   }
 }
 
@@ -158,7 +159,7 @@ nlohmann::json json_of(const std::vector<Kind>& kinds) {
 Status run_devices(bool as_json) {
   const std::vector<Kind> kinds = run_periodic_tasks();
   if (as_json) {
-    fmt::print("{}\n", json_of(kinds).dump(1));
+    print_out("{}\n", json_of(kinds).dump(1));
   } else {
     print(kinds);
   }

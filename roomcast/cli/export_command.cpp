@@ -81,7 +81,7 @@ Status copy_sets(const ExportOptions& options, recording::FrameSetReader& reader
     const auto more = reader.next(set);
     if (!more && ++damaged_places > 1000) return more.error();
     if (!more) {
-      fmt::print(stderr, "roomcast export: {}; continuing after it\n", more.error().message);
+      print_err("roomcast export: {}; continuing after it\n", more.error().message);
       continue;
     }
     const double time_s = std::chrono::duration<double>(set.time).count();
@@ -96,20 +96,20 @@ Status copy_sets(const ExportOptions& options, recording::FrameSetReader& reader
 
 void report(const ExportOptions& options, const recording::ExportTotals& totals) {
   if (options.json) {
-    fmt::print("{}\n", nlohmann::json{{"format", options.format},
-                                      {"out", options.out.string()},
-                                      {"sets", totals.sets},
-                                      {"kept", totals.kept},
-                                      {"points", totals.points},
-                                      {"pictures", totals.pictures}}
-                           .dump(1));
+    print_out("{}\n", nlohmann::json{{"format", options.format},
+                                     {"out", options.out.string()},
+                                     {"sets", totals.sets},
+                                     {"kept", totals.kept},
+                                     {"points", totals.points},
+                                     {"pictures", totals.pictures}}
+                          .dump(1));
     return;
   }
-  fmt::print("{}: {} sets written", options.out.string(), totals.sets);
-  if (totals.kept > 0) fmt::print(", {} were there already", totals.kept);
-  if (totals.points > 0) fmt::print(", {} points", totals.points);
-  if (totals.pictures > 0) fmt::print(", {} pictures", totals.pictures);
-  fmt::print("\n");
+  print_out("{}: {} sets written", options.out.string(), totals.sets);
+  if (totals.kept > 0) print_out(", {} were there already", totals.kept);
+  if (totals.points > 0) print_out(", {} points", totals.points);
+  if (totals.pictures > 0) print_out(", {} pictures", totals.pictures);
+  print_out("\n");
 }
 
 Error not_to_be_exported() {

@@ -14,6 +14,8 @@
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/hub_flags.h"
 #include "roomcast/cli/json_log.h"
+#include "roomcast/cli/print.h"
+#include "roomcast/cli/stderr_log.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/web_directory.h"
 #include "roomcast/hub/access/hub_secret.h"
@@ -121,9 +123,9 @@ void print_where(const HubPlan& plan, std::uint16_t port) {
   const std::string& address = plan.listen.address;
   const bool v6 = address.find(':') != std::string::npos;
   const std::string where = fmt::format("{}{}{}:{}", v6 ? "[" : "", address, v6 ? "]" : "", port);
-  fmt::print("roomcast hub: open {}://{}/\n", plan.certificate ? "https" : "http", where);
+  print_out("roomcast hub: open {}://{}/\n", plan.certificate ? "https" : "http", where);
   if (plan.config.tls_self_signed) {
-    fmt::print(
+    print_out(
         "roomcast hub: browsers will ask whether to trust its certificate; sensors and viewers "
         "trust it by\n"
         "  --hub wss://{}#sha256={}\n",
@@ -193,9 +195,9 @@ Status run_hub(const HubFlags& flags) {
   if (!plan) return plan.error();
   if (flags.check) {
     if (auto status = check_plan(*plan); !status) return status;
-    fmt::print("roomcast hub: this configuration is valid; rooms:");
-    for (const auto& room : plan->options.rooms) fmt::print(" {}", room.name);
-    fmt::print("\n");
+    print_out("roomcast hub: this configuration is valid; rooms:");
+    for (const auto& room : plan->options.rooms) print_out(" {}", room.name);
+    print_out("\n");
     return {};
   }
   if (auto status = find_certificate(*plan, false); !status) return status;

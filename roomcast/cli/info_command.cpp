@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // roomcast info: summarises a recording. Reads every frame, so it also detects damage.
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -10,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/print.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/io/image_file.h"
@@ -112,7 +112,7 @@ nlohmann::json json_of(const SensorInfo& info) {
 
 void print_text(const SensorInfo& info) {
   const auto& [depth, color, color_from_depth, registered] = info.sensor.calibration;
-  fmt::print(
+  print_out(
       "{}: depth {}x{}, colour {}x{}, {} frames ({} with colour) in {:.2f} s, nominally {:.4g}/s, "
       "{}\n",
       info.sensor.name, depth.width, depth.height, color.width, color.height, info.frames,
@@ -146,7 +146,7 @@ void warn_of_damage(const std::string& recording) {
   if (!std::filesystem::is_regular_file(recording, ignored)) return;
   const auto file = recording::RoomRecording::open(recording);
   if (file && file->damage())
-    fmt::print(stderr, "roomcast info: {}; everything before it was read\n", *file->damage());
+    print_err("roomcast info: {}; everything before it was read\n", *file->damage());
 }
 
 Status run_info(const InfoOptions& options) {
@@ -168,7 +168,7 @@ Status run_info(const InfoOptions& options) {
   if (!options.thumbnails.empty()) {
     if (auto status = write_thumbnails(options, stop.token()); !status) return status;
   }
-  if (options.json) fmt::print("{}\n", report.dump(1));
+  if (options.json) print_out("{}\n", report.dump(1));
   return {};
 }
 

@@ -2,12 +2,14 @@
 #include "roomcast/cli/json_log.h"
 
 #include <chrono>
-#include <cstdio>
 #include <ctime>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "roomcast/cli/print.h"
+#include "roomcast/cli/stderr_log.h"
 
 namespace roomcast::cli {
 
@@ -35,12 +37,13 @@ std::string json_log_line(std::string_view program, LogLevel level, std::string_
 }
 
 LogSink json_log(std::string_view program) {
-  return
+  return counting_log(
       [program = std::string(program)](LogLevel level, std::string_view message, LogFields fields) {
         const auto now = std::chrono::system_clock::now().time_since_epoch();
         const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
-        fmt::print(stderr, "{}\n", json_log_line(program, level, message, fields, ms));
-      };
+        return json_log_line(program, level, message, fields, ms) + '\n';
+      },
+      [](std::string_view line) { return write_raw(stderr, printable(line)); });
 }
 
 }  // namespace roomcast::cli

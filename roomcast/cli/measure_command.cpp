@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // roomcast measure: distances in a recorded room, and its floor plan.
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "roomcast/cli/command.h"
@@ -57,7 +55,7 @@ Status report_distance(const MeasureOptions& options,
   report["from"] = json_of(measured->from);
   report["to"] = json_of(measured->to);
   if (!options.json) {
-    fmt::print("{:.3f} m ± {:.0f} mm\n", measured->distance_m, 1000 * measured->expected_error_m);
+    print_out("{:.3f} m ± {:.0f} mm\n", measured->distance_m, 1000 * measured->expected_error_m);
   }
   return {};
 }
@@ -76,7 +74,7 @@ Status report_plan(const MeasureOptions& options, const std::vector<recording::S
                                {"length_m", wall.length_m()}});
   }
   report["floor_plan"] = options.floor_plan;
-  if (!options.json) fmt::print("{}: {} walls\n", options.floor_plan, plan->walls.size());
+  if (!options.json) print_out("{}: {} walls\n", options.floor_plan, plan->walls.size());
   return {};
 }
 
@@ -94,7 +92,7 @@ Status run_measure(const MeasureOptions& options) {
   if (!options.floor_plan.empty()) {
     if (auto status = report_plan(options, *room, report); !status) return status;
   }
-  if (options.json) fmt::print("{}\n", report.dump(1));
+  if (options.json) print_out("{}\n", report.dump(1));
   return {};
 }
 

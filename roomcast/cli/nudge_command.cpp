@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/print.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/token_option.h"
 #include "roomcast/client/nudge.h"
@@ -37,16 +37,16 @@ Status run_nudge(NudgeCommand command) {
   const auto answer = client::nudge_sensor(command.options);
   if (!answer) return answer.error();
   if (command.json) {
-    fmt::print("{}\n", nlohmann::json{{"sensor", command.options.sensor},
-                                      {"world_from_depth",
-                                       row_major_from_transform(answer->world_from_depth)},
-                                      {"expected_error_mm", answer->expected_error_mm}}
-                           .dump());
+    print_out("{}\n", nlohmann::json{{"sensor", command.options.sensor},
+                                     {"world_from_depth",
+                                      row_major_from_transform(answer->world_from_depth)},
+                                     {"expected_error_mm", answer->expected_error_mm}}
+                          .dump());
     return {};
   }
   const Eigen::Vector3d& at = answer->world_from_depth.translation_m;
-  fmt::print("{} is at {:.3f}, {:.3f}, {:.3f} m; expected error {:.0f} mm\n",
-             command.options.sensor, at.x(), at.y(), at.z(), answer->expected_error_mm);
+  print_out("{} is at {:.3f}, {:.3f}, {:.3f} m; expected error {:.0f} mm\n", command.options.sensor,
+            at.x(), at.y(), at.z(), answer->expected_error_mm);
   return {};
 }
 

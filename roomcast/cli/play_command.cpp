@@ -14,6 +14,7 @@
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/token_option.h"
+#include "roomcast/cli/stderr_log.h"
 #include "roomcast/cli/web_directory.h"
 #include "roomcast/hub/server/hub_server.h"
 #include "roomcast/recording/recorder/room_player.h"
@@ -91,7 +92,7 @@ Status run_play(PlayOptions options) {
     if (!hub) return hub.error();
     own_hub.emplace(std::move(*hub));
     options.player.hub_url = fmt::format("ws://127.0.0.1:{}", own_hub->port());
-    fmt::print("roomcast play: open http://127.0.0.1:{}/\n", own_hub->port());
+    print_out("roomcast play: open http://127.0.0.1:{}/\n", own_hub->port());
     std::fflush(stdout);
   }
   auto credential = find_credential(options.token);
@@ -108,9 +109,9 @@ Status run_play(PlayOptions options) {
   shown.join();
   if (options.json) {
     const recording::PlayProgress progress = (*player)->progress();
-    fmt::print("{}\n", nlohmann::json{{"frames_sent", progress.frames_sent},
-                                      {"position_s", progress.position_s}}
-                           .dump(1));
+    print_out("{}\n", nlohmann::json{{"frames_sent", progress.frames_sent},
+                                     {"position_s", progress.position_s}}
+                          .dump(1));
   }
   return status;
 }

@@ -2,10 +2,16 @@
 #include "roomcast/cli/program.h"
 
 #include <csignal>
-#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
 #include <string>
+#include <system_error>
 
-#include <fmt/format.h>
+#include <boost/system/system_error.hpp>
+#include <google/protobuf/stubs/logging.h>
+
+#include "roomcast/cli/print.h"
 
 namespace roomcast::cli {
 namespace {
@@ -19,10 +25,27 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
   return known.empty() ? word : "";
 }
 
-}  // namespace
+/// Memory, threads or descriptors have run out, in any thread: that is a failure with a sentence.
+/// All else that nobody catches is a fault of ours, and worth a core file.
+[[noreturn]] void end_with_reason() {
+  try {
+    if (const auto reason = std::current_exception()) std::rethrow_exception(reason);
+  } catch (const std::bad_alloc&) {
+    (void)write_raw(stderr, "roomcast: this computer gives the program no more memory\n");
+    std::_Exit(kFailed);
+  } catch (const std::system_error& error) {
+    (void)print_err("roomcast: the system refused what the program needs: {}\n", error.what());
+    std::_Exit(kFailed);
+  } catch (const boost::system::system_error& error) {
+    (void)print_err("roomcast: the system refused what the program needs: {}\n", error.what());
+    std::_Exit(kFailed);
+  } catch (const std::exception& error) {
+    (void)print_err("roomcast: internal error: {}\n", error.what());
+  }
+  std::abort();
+}
 
-int run_program(int argc, char** argv, std::span<const AddCommand> commands) {
-  std::signal(SIGPIPE, SIG_IGN);  // a closed socket or pipe is an error code to us, not an end
+int run_command(int argc, char** argv, std::span<const AddCommand> commands) {
   CLI::App app("roomcast: walk around live in a remote room.", "roomcast");
   app.set_version_flag("--version", ROOMCAST_VERSION);
   app.require_subcommand(1);
@@ -30,7 +53,7 @@ int run_program(int argc, char** argv, std::span<const AddCommand> commands) {
   Command chosen;
   for (const AddCommand add : commands) add(app, chosen);
   if (const auto word = unknown_command(app, argc, argv); !word.empty()) {
-    fmt::print(stderr, "roomcast: there is no command \"{}\" (roomcast --help lists them)\n", word);
+    print_err("roomcast: there is no command \"{}\" (roomcast --help lists them)\n", word);
     return kWrongUsage;
   }
   try {
@@ -38,10 +61,26 @@ int run_program(int argc, char** argv, std::span<const AddCommand> commands) {
   } catch (const CLI::Success& help_or_version) {
     return app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "roomcast: {} (roomcast --help shows how)\n", error.what());
+    print_err("roomcast: {} (roomcast --help shows how)\n", error.what());
     return kWrongUsage;
   }
   return chosen();
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, std::span<const AddCommand> commands) {
+  keep_standard_streams();
+  std::set_terminate(&end_with_reason);
+  // Of bytes that are no message, the reader of the message tells; libprotobuf would, too, in lines
+  // of its own that strangers could fill a log with.
+  google::protobuf::SetLogHandler(nullptr);
+  std::signal(SIGPIPE, SIG_IGN);  // a closed socket or pipe is an error code to us, not an end
+  std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow any more
+  const int code = run_command(argc, argv, commands);
+  if (wrote_results()) return code;
+  (void)print_err("roomcast: not all of the results could be written to stdout\n");
+  return code == kDone ? kFailed : code;
 }
 
 }  // namespace roomcast::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // roomcast record: writes the stream of a hub's rooms into files, one file per room.
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -17,6 +16,7 @@
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/token_option.h"
+#include "roomcast/cli/stderr_log.h"
 #include "roomcast/recording/recorder/recorder.h"
 
 namespace roomcast::cli {
@@ -129,20 +129,18 @@ void report(const RecordOptions& options, const Recorders& recorders, double ela
                      {"frame_bytes", stats.frame_bytes},
                      {"file_bytes", std::filesystem::file_size(file)}});
     if (!options.json) {
-      fmt::print("{}: {} frames, {:.2f} MB\n", file, stats.frames,
-                 static_cast<double>(std::filesystem::file_size(file)) / 1e6);
+      print_out("{}: {} frames, {:.2f} MB\n", file, stats.frames,
+                static_cast<double>(std::filesystem::file_size(file)) / 1e6);
     }
   }
   if (!options.json) return;
-  fmt::print(
+  print_out(
       "{}\n",
       nlohmann::json{{"rooms", rooms}, {"seconds", elapsed_s}, {"cpu_seconds", cpu_seconds()}}.dump(
           1));
 }
 
 Status run_record(const RecordOptions& options) {
-  // Exceeding the file size limit must fail with an error code, not kill the process.
-  std::signal(SIGXFSZ, SIG_IGN);
   StopOnSignal stop;
   const auto credential = find_credential(options.token);
   if (!credential) return credential.error();

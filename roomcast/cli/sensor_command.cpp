@@ -12,6 +12,7 @@
 #include "roomcast/cli/sensor_camera_options.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
+#include "roomcast/cli/stderr_log.h"
 #include "roomcast/cli/token_option.h"
 #include "roomcast/sensor/sensor_feed.h"
 #include "roomcast/sensor/source_factory.h"

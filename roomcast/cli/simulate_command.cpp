@@ -9,8 +9,8 @@
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
-#include "roomcast/simulator/rig/simulate_rig.h"
 #include "roomcast/recording/dataset/rig_writer.h"
+#include "roomcast/simulator/rig/simulate_rig.h"
 #include "roomcast/simulator/scene/room.h"
 #include "roomcast/simulator/sensing/harsh_unit.h"
 #include "roomcast/simulator/simulated_source.h"
@@ -45,21 +45,21 @@ Status run_simulate(SimulateCommand command) {
     draw_length(command);
   }
   if (command.clean) command.rig.clean();
-  StatusLine line;
   // Known at once, not only when the first frames are ready.
   std::error_code error;
   const bool is_new = !std::filesystem::exists(command.out, error);
   if (auto status = recording::make_empty_folder(command.out); !status) return status;
   const Status simulated = simulator::simulate_rig(
+  StatusLine line;
       command.out, command.rig,
       [&line](const simulator::SimulateProgress& progress) {
         line.show_progress(progress.doing, progress.done, progress.total);
       },
       stop.token());
-}
   if (!simulated && is_new) std::filesystem::remove(command.out, error);  // only if it is empty
   return simulated;
 
+}
 void add_room_options(CLI::App& command, SimulateCommand& values) {
   command.add_option("--scene", values.rig.scene, "Scene: " + simulator::scene_list());
   command.add_option("--sensors", values.rig.sensor_count, "Number of sensors around the room")

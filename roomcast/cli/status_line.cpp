@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <fmt/format.h>
 #include <unistd.h>
+
+#include "roomcast/cli/print.h"
 
 namespace roomcast::cli {
 namespace {
@@ -35,12 +36,13 @@ std::string progress_text(std::string_view doing, int done, int total, Seconds e
 StatusLine::StatusLine() : on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 StatusLine::~StatusLine() {
-  if (shown_) fmt::print(stderr, "\n");
+  if (shown_) (void)write_raw(stderr, "\n");
 }
 
 void StatusLine::show(std::string_view text) {
   if (!on_terminal_) return;
-  fmt::print(stderr, "\r{}\x1b[K", text);  // clear to the end of the line
+  // Back to the line's start, and clear what is behind the text.
+  (void)write_raw(stderr, fmt::format("\r{}\x1b[K", printable(text)));
   shown_ = true;
 }
 

@@ -5,10 +5,10 @@
 #include <memory>
 #include <string>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/print.h"
 #include "roomcast/cli/qr_code.h"
 #include "roomcast/cli/stderr_log.h"
 #include "roomcast/cli/time_span.h"
@@ -71,17 +71,17 @@ Status list_tokens(const hub::HubStore& store, bool as_json) {
   if (as_json) {
     Json list = Json::array();
     for (const auto& token : *tokens) list.push_back(hub::token_json(token));
-    fmt::print("{}\n", Json{{"tokens", list}}.dump(1));
+    print_out("{}\n", Json{{"tokens", list}}.dump(1));
     return {};
   }
-  fmt::print("{:34}{:20}{:8}{:20}{}\n", "ID", "ROOM", "ROLE", "NAME", "HOLDS");
+  print_out("{:34}{:20}{:8}{:20}{}\n", "ID", "ROOM", "ROLE", "NAME", "HOLDS");
   for (const auto& token : *tokens) {
     const auto left = token.claims.expires_at - store.now();
-    fmt::print("{:34}{:20}{:8}{:20}{}\n", token.claims.id, token.claims.grant.room,
-               hub::name_of(token.claims.grant.role), token.claims.grant.name,
-               (token.is_code ? "code, " : "") + (token.revoked ? "revoked"
-                                                  : left <= 0   ? "expired"
-                                                                : format_time_span(left)));
+    print_out("{:34}{:20}{:8}{:20}{}\n", token.claims.id, token.claims.grant.room,
+              hub::name_of(token.claims.grant.role), token.claims.grant.name,
+              (token.is_code ? "code, " : "") + (token.revoked ? "revoked"
+                                                 : left <= 0   ? "expired"
+                                                               : format_time_span(left)));
   }
   return {};
 }
@@ -115,21 +115,20 @@ Status make_token(const TokenCommand& command, const std::filesystem::path& fold
   auto made = hub::make_token_for(*request, **store);
   if (!made) return made.error();
   if (is_first) {
-    fmt::print(stderr,
-               "roomcast token: {0} had no hub's secret, so a new one was made: only a hub with "
-               "--data {0} accepts this token\n",
-               folder.string());
+    print_err(
+        "roomcast token: {0} had no hub's secret, so a new one was made: only a hub with "
+        "--data {0} accepts this token\n",
+        folder.string());
   }
   if (request->once) (*made)["link"] = link_of(command.link, (*made)["fragment"]);
   if (command.json) {
-    fmt::print("{}\n", made->dump());
+    print_out("{}\n", made->dump());
     return {};
   }
   const std::string shown = request->once ? (*made)["link"] : (*made)["token"];
-  fmt::print("{}\n", shown);
+  print_out("{}\n", shown);
   if (request->once) {
-    fmt::print(
-        stderr,
+    print_err(
         "The link works once, within {}; its token is valid for {}. For a program: --token {}\n"
         "Before its use it can be revoked: roomcast token --revoke {}\n",
         format_time_span(hub::HubStore::kCodeTtl), format_time_span(request->ttl),
@@ -138,7 +137,7 @@ Status make_token(const TokenCommand& command, const std::filesystem::path& fold
   if (!command.qr) return {};
   const auto qr = qr_code_for_terminal(shown);
   if (!qr) return qr.error();
-  fmt::print("{}", *qr);
+  (void)write_raw(stdout, *qr);  // with the terminal's own colours
   return {};
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "roomcast/cli/print.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/view_options.h"
@@ -119,7 +120,7 @@ void print_json(const ViewOptions& options, const client::RoomSnapshot& room) {
          {"capture_ns", sensor.picture->capture_time.time_since_epoch().count()},
          {"depth_crc32", sensor::depth_crc32(sensor.picture->frame.depth_mm)}});
   }
-  fmt::print("{}\n", report.dump(1));
+  print_out("{}\n", report.dump(1));
 }
 
 }  // namespace

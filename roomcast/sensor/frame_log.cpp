@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <span>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -33,10 +34,14 @@ Result<FrameLog> FrameLog::open(const std::filesystem::path& path) {
   return FrameLog(file);
 }
 
-void FrameLog::add(std::uint32_t seq, RoomTime capture_time, DepthView depth_mm) {
-  fmt::print(file_.get(), "{{\"seq\":{},\"capture_ns\":{},\"depth_crc32\":{}}}\n", seq,
-             capture_time.time_since_epoch().count(), depth_crc32(depth_mm));
-  std::fflush(file_.get());
+Status FrameLog::add(std::uint32_t seq, RoomTime capture_time, DepthView depth_mm) {
+  const std::string line =
+      fmt::format("{{\"seq\":{},\"capture_ns\":{},\"depth_crc32\":{}}}\n", seq,
+                  capture_time.time_since_epoch().count(), depth_crc32(depth_mm));
+  const bool written = std::fwrite(line.data(), 1, line.size(), file_.get()) == line.size() &&
+                       std::fflush(file_.get()) == 0;
+  if (written) return {};
+  return Error{ErrorCode::kUnavailable, std::string("cannot write: ") + std::strerror(errno)};
 }
 
 }  // namespace roomcast::sensor

@@ -21,7 +21,8 @@ class FrameLog {
  public:
   /// kUnavailable when the file cannot be written.
   static Result<FrameLog> open(const std::filesystem::path& path);
-  void add(std::uint32_t seq, RoomTime capture_time, DepthView depth_mm);
+  /// kUnavailable when the line cannot be written, for example to a full disk.
+  [[nodiscard]] Status add(std::uint32_t seq, RoomTime capture_time, DepthView depth_mm);
 
  private:
   struct Close {

@@ -133,9 +133,16 @@ class SensorFeed::Worker {
     if (!info) return info.error();
     const auto sent = publisher_->publish(*turn, *info, captured_.capture_time, std::move(message));
     if (sent && frame_log_) {
-      frame_log_->add(sent->seq, sent->capture_time, encoder_->decoded_depth());
+      const auto logged = frame_log_->add(sent->seq, sent->capture_time, encoder_->decoded_depth());
+      if (!logged) end_frame_log(logged.error());
     }
     return {};
+  }
+
+  /// A log with gaps would be worse than none.
+  void end_frame_log(const Error& reason) {
+    frame_log_.reset();
+    if (log_) log_(LogLevel::kWarning, "the log of frames ends here: " + reason.message);
   }
 
   /// Shows the current depth and the last registered colour, which is stale while no frames can be
