@@ -6,6 +6,7 @@
 
 #include "bench/abuse/abuse_bench.h"
 #include "roomcast/cli/bench_commands.h"
+#include "roomcast/cli/number_option.h"
 #include "roomcast/cli/status_line.h"
 
 namespace roomcast::cli {
@@ -29,24 +30,24 @@ void add_abuse_bench(CLI::App& bench, Command& chosen) {
   CLI::App* command = bench.add_subcommand(
       "abuse", "Effect of half-open, invalid and slow connections and bad tokens on other clients");
   command->add_option("--viewers", options->viewers, "Viewers in the room")
-      ->check(CLI::Range(1, 200))
+      ->check(within(1, 200))
       ->capture_default_str();
   command
       ->add_option("--rounds", options->rounds, "Rounds; each measures without and with an attack")
-      ->check(CLI::Range(1, 100))
+      ->check(within(1, 100))
       ->capture_default_str();
   command
       ->add_option("--connections", options->connections,
                    "Simultaneous connections of one attacker")
-      ->check(CLI::Range(1, 10'000))
+      ->check(within(1, 10'000))
       ->capture_default_str();
   command
       ->add_option("--bad-tokens", options->bad_tokens,
                    "Invalid tokens sent in all rounds together")
-      ->check(CLI::Range(1, 1'000'000))
+      ->check(within(1, 1'000'000))
       ->capture_default_str();
   command->add_option("--seconds", *seconds, "Seconds per measurement")
-      ->check(CLI::Range(0.2, 60.0))
+      ->check(within(0.2, 60.0))
       ->capture_default_str();
   command->add_flag("--json", *json, "Print JSON");
   command->footer("Example:\n  roomcast bench abuse --rounds 5");

@@ -19,6 +19,7 @@
 #include "roomcast/cli/bench_commands.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/frames_rig.h"
+#include "roomcast/cli/number_option.h"
 #include "roomcast/cli/recorded_views.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/recording/dataset/rig_json.h"
@@ -188,20 +189,20 @@ void add_harsh_options(CLI::App& command, AlignBenchCommand& values) {
   command.add_option("--kinds", values.harsh.kinds,
                      "harsh: only these rooms, sensors (tof, structured, mixed) or ROOM/SENSORS");
   command.add_option("--rigs-per-kind", values.harsh.rigs, "harsh: number of rigs of each kind")
-      ->check(CLI::Range(1, bench::kHarshRigsPerKind))
+      ->check(within(1, bench::kHarshRigsPerKind))
       ->capture_default_str();
   command.add_option("--sensors", values.harsh.sensors, "harsh: sensors of a rig")
-      ->check(CLI::Range(2, simulator::kMaxSimulatedSensors))
+      ->check(within(2, simulator::kMaxSimulatedSensors))
       ->capture_default_str();
 }
 
 void add_frames_options(CLI::App& command, AlignBenchCommand& values) {
   command.add_option("--rig", values.rigs, "frames: folders of recorded rigs");
   command.add_option("--draws", values.frames.draws, "frames: draws from each rig")
-      ->check(CLI::Range(1, 10'000))
+      ->check(within(1, 10'000))
       ->capture_default_str();
   command.add_option("--frames", values.frames.frames, "frames: consecutive frames of a draw")
-      ->check(CLI::Range(1, 100))
+      ->check(within(1, 100))
       ->capture_default_str();
 }
 
@@ -227,22 +228,23 @@ void add_align_bench(CLI::App& bench, Command& chosen) {
   add_harsh_options(*command, *values);
   add_frames_options(*command, *values);
   command->add_option("--pairs", values->suite.pairs, "Number of pairs in the suite")
-      ->check(CLI::Range(1, 100'000))
+      ->check(within(1, 100'000))
       ->capture_default_str();
   command
       ->add_option("--seed", values->suite.seed,
                    "Seed of the suite's first room; other seeds give other rooms")
+      ->check(seed_number())
       ->capture_default_str();
   command
       ->add_option("--minutes", values->moved.minutes,
                    "moved: minutes of observation in each scene")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(within(0.1, 1000.0))
       ->capture_default_str();
   command->add_option("--scene", values->scenes, "fresh, moved: only these scenes");
   command
       ->add_option("--rooms", values->rooms,
                    "corners, join, walker, passers-by, board: number of rooms")
-      ->check(CLI::Range(1, 10'000))
+      ->check(within(1, 10'000))
       ->capture_default_str();
   command->add_flag("--json", values->json, "Print JSON");
   command->footer(

@@ -11,6 +11,7 @@
 #include "bench/register_bench.h"
 #include "roomcast/cli/bench_commands.h"
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/number_option.h"
 #include "roomcast/cli/status_line.h"
 
 namespace roomcast::cli {
@@ -45,29 +46,29 @@ void add_codec_bench(CLI::App& bench, Command& chosen) {
   command->add_option("--codec,--mode", options->bench.only,
                       "Only this codec or mode, for example roomcast or lossless");
   command->add_option("--frames", options->bench.most_frames, "Maximum number of frames")
-      ->check(CLI::Range(1, 10'000))
+      ->check(within(1, 10'000))
       ->capture_default_str();
   command
       ->add_option("--warmup", options->bench.warm_up_s,
                    "Seconds at the start that are not measured (at most a third)")
-      ->check(CLI::Range(0.0, 60.0))
+      ->check(within(0.0, 60.0))
       ->capture_default_str();
   command->add_option("--key-every", options->bench.key_every_s, "Seconds between key frames")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(within(0.1, 3600.0))
       ->capture_default_str();
   command
       ->add_option("--color-kbit", options->bench.color_kbit_per_s,
                    "Bit rate of colour where there is rate control, kbit/s")
-      ->check(CLI::Range(50, 20'000))
+      ->check(within(50, 20'000))
       ->capture_default_str();
   command
       ->add_option("--fps", options->simulator.sim_fps, "Frames per second of a simulated sensor")
-      ->check(CLI::Range(1.0, 60.0))
+      ->check(within(1.0, 60.0))
       ->capture_default_str();
   command
       ->add_option("--speed", options->simulator.sim_speed,
                    "Speed of motion in a simulated room: 1 is real time")
-      ->check(CLI::Range(0.0, 10.0))
+      ->check(within(0.0, 10.0))
       ->capture_default_str();
   command
       ->add_option("--back-and-forth", options->simulator.back_and_forth_fps,

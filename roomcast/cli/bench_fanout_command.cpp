@@ -6,6 +6,7 @@
 
 #include "bench/fanout/fanout_bench.h"
 #include "roomcast/cli/bench_commands.h"
+#include "roomcast/cli/number_option.h"
 #include "roomcast/cli/status_line.h"
 
 namespace roomcast::cli {
@@ -30,10 +31,10 @@ void add_fanout_bench(CLI::App& bench, Command& chosen) {
       "fanout", "One frame to many viewers: CPU time and delay of the hub and of message brokers");
   command->add_option("--viewers", options->viewers, "Numbers of viewers at full speed")
       ->delimiter(',')
-      ->check(CLI::Range(1, 900))
+      ->check(within(1, 900))
       ->capture_default_str();
   command->add_option("--rounds", options->rounds, "Measurements of each server, in turns")
-      ->check(CLI::Range(1, 100))
+      ->check(within(1, 100))
       ->capture_default_str();
   command->add_option("--load", options->loads, "Loads: max, room, stall")
       ->delimiter(',')
@@ -44,7 +45,7 @@ void add_fanout_bench(CLI::App& bench, Command& chosen) {
   command
       ->add_option("--seconds", *seconds,
                    "Seconds per measurement at full speed; room and stall take twice as long")
-      ->check(CLI::Range(0.1, 6.0))
+      ->check(within(0.1, 6.0))
       ->capture_default_str();
   command->add_flag("--json", *json, "Print JSON");
   command->footer(

@@ -5,6 +5,7 @@
 
 #include "bench/latency/latency_bench.h"
 #include "roomcast/cli/bench_commands.h"
+#include "roomcast/cli/number_option.h"
 #include "roomcast/cli/status_line.h"
 
 namespace roomcast::cli {
@@ -32,7 +33,7 @@ void add_latency_bench(CLI::App& bench, Command& chosen) {
       ->delimiter(',')
       ->check(CLI::IsMember({"room", "internet", "narrow"}));
   command->add_option("--seconds", *seconds, "Seconds per network")
-      ->check(CLI::Range(1.0, 600.0))
+      ->check(within(1.0, 600.0))
       ->capture_default_str();
   command->add_flag("--json", *json, "Print JSON");
   command->footer("Example:\n  roomcast bench latency --case internet,narrow --seconds 30");

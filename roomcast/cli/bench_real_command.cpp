@@ -7,6 +7,7 @@
 
 #include "bench/real/real_bench.h"
 #include "roomcast/cli/bench_commands.h"
+#include "roomcast/cli/number_option.h"
 #include "roomcast/cli/recorded_alignment.h"
 #include "roomcast/cli/status_line.h"
 
@@ -61,12 +62,12 @@ void add_real_bench(CLI::App& bench, Command& chosen) {
   command
       ->add_option("--pictures", options->bench.left_out_pictures,
                    "Pictures of each sensor drawn from the others; 0: none")
-      ->check(CLI::Range(0, 1000))
+      ->check(within(0, 1000))
       ->capture_default_str();
   command
       ->add_option("--frames", options->bench.codec_frames,
                    "Maximum number of frames of each sensor for codecs; 0: no codecs")
-      ->check(CLI::Range(0, 10'000))
+      ->check(within(0, 10'000))
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print JSON");
   command->footer("Example:\n  roomcast bench real recordings/lab --page lab-report");

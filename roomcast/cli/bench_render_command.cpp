@@ -6,6 +6,7 @@
 
 #include "bench/render/render_bench.h"
 #include "roomcast/cli/bench_commands.h"
+#include "roomcast/cli/number_option.h"
 #include "roomcast/cli/render_mode_option.h"
 #include "roomcast/cli/status_line.h"
 
@@ -34,16 +35,17 @@ void add_render_bench(CLI::App& bench, Command& chosen) {
   command
       ->add_option("--color-scale", options->color_scale,
                    "Colour pixels per depth pixel in each direction, as in roomcast sensor")
-      ->check(CLI::Range(1, 2));
+      ->check(within(1, 2));
   command->add_option("--aligned", options->aligned,
                       "Use the poses of this report of `roomcast align RIG --json`");
   command
       ->add_option("--pose-error-mm", options->pose_error_mm, "Shift every sensor by this distance")
-      ->check(CLI::Range(0.0, 1000.0));
+      ->check(within(0.0, 1000.0));
   command
       ->add_option("--pose-error-deg", options->pose_error_deg, "Turn every sensor by this angle")
-      ->check(CLI::Range(0.0, 180.0));
-  command->add_option("--pose-seed", options->pose_seed, "Seed of these directions");
+      ->check(within(0.0, 180.0));
+  command->add_option("--pose-seed", options->pose_seed, "Seed of these directions")
+      ->check(seed_number());
   command->add_option("--pictures", options->pictures, "Write the pictures into this folder");
   command->add_flag("--stereo", options->stereo,
                     "Also compare drawing both eyes in one pass with one after the other");

@@ -14,6 +14,8 @@
 #include "roomcast/alignment/calibration/sensor_calibration.h"
 #include "roomcast/alignment/calibration/view_collector.h"
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/number_option.h"
+#include "roomcast/cli/print.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/io/file_bytes.h"
@@ -210,9 +212,9 @@ void add_calibrate_command(CLI::App& app, Command& chosen) {
       ->check(CLI::IsMember({"a4", "a3"}))
       ->capture_default_str();
   command->add_option("--square-mm", options->square_mm, "Measured side of a square, if it differs")
-      ->check(CLI::Range(5.0, 500.0));
+      ->check(within(5.0, 500.0));
   command->add_option("--views", options->views, "Number of views to take")
-      ->check(CLI::Range(6, 200))
+      ->check(within(6, 200))
       ->capture_default_str();
   command->add_option("--camera-info", options->color_info,
                       "ROS YAML file of the colour lens, used unchanged");

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "roomcast/cli/named_choice.h"
+#include "roomcast/cli/number_option.h"
 #include "roomcast/sensor/codec_choice.h"
 
 namespace roomcast::cli {
@@ -25,22 +26,22 @@ inline void add_codec_options(CLI::App& command, sensor::CodecChoice& choice) {
   command
       .add_option("--bound-mm", choice.depth_bound_mm,
                   "With --codec near-lossless: maximum error of a reading in millimetres")
-      ->check(CLI::Range(1, 63))
+      ->check(within(1, 63))
       ->capture_default_str();
   command
       .add_option("--layers", choice.layers,
                   "Temporal layers; on a slow network only the lowest is sent")
-      ->check(CLI::Range(1, 3))
+      ->check(within(1, 3))
       ->capture_default_str();
   command
       .add_option(
           "--color-scale", choice.color_scale,
           "2 sends colour at twice the resolution of depth: sharper, but more work and bytes")
-      ->check(CLI::Range(1, 2))
+      ->check(within(1, 2))
       ->capture_default_str();
   command
       .add_option("--color-kbit", choice.color_kbit_per_s, "Bit rate of the colour stream, kbit/s")
-      ->check(CLI::Range(50, 20'000))
+      ->check(within(50, 20'000))
       ->default_str("790, or 1000 with --color-scale 2");
 }
 

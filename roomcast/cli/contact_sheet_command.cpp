@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/number_option.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/simulator/rig/contact_sheet.h"
 
@@ -28,9 +29,11 @@ void add_contact_sheet_command(CLI::App& app, Command& chosen) {
   CLI::App* command =
       app.add_subcommand("contact-sheet", "Draw every simulated room as its sensors see it");
   command->add_option("folder", *folder, "Folder for the files <scene>.jpg")->required();
-  command->add_option("--seed", options->seed, "Seed of the rooms")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of the rooms")
+      ->check(seed_number())
+      ->capture_default_str();
   command->add_option("--width", options->cell_width, "Width of one sensor's view in pixels")
-      ->check(CLI::Range(64, 1920))
+      ->check(within(64, 1920))
       ->capture_default_str();
   command->footer("Example:\n  roomcast contact-sheet docs/images/scenes --seed 7");
   command->callback([folder, options, &chosen] {

@@ -11,10 +11,12 @@
 
 #include "roomcast/cli/codec_option.h"
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/number_option.h"
+#include "roomcast/cli/print.h"
 #include "roomcast/cli/status_line.h"
+#include "roomcast/cli/stderr_log.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/web_directory.h"
-#include "roomcast/cli/stderr_log.h"
 #include "roomcast/client/subscriber.h"
 #include "roomcast/hub/daemon/hub_aligners.h"
 #include "roomcast/hub/server/hub_server.h"
@@ -185,18 +187,18 @@ void add_demo_command(CLI::App& app, Command& chosen) {
   CLI::App* command =
       app.add_subcommand("demo", "Hub, sensors and page in one: open the address it prints");
   command->add_option("--sensors", options->sensors, "Simulated sensors")
-      ->check(CLI::Range(1, 8))
+      ->check(within(1, 8))
       ->capture_default_str();
   command->add_option("--scene", options->scene, "Simulated scene");
   command->add_option("--fps", options->sim_fps, "Frames per second of simulated sensors")
-      ->check(CLI::Range(1.0, 60.0))
+      ->check(within(1.0, 60.0))
       ->capture_default_str();
   add_codec_options(*command, options->codec);
   command->add_option("--rig", options->rig, "Play this recorded rig instead");
   command->add_option("--source", options->sources,
                       "Play these sources instead: rig:DIR#s0, tum:DIR, sim[:scene][#n]");
   command->add_option("--port", options->port, "Port of page and hub; 0 takes any free one")
-      ->check(CLI::Range(0, 65'535))
+      ->check(within(0, 65'535))
       ->capture_default_str();
   command->add_option("--web", options->web,
                       "Folder of the built page (default: the one beside this program)");
@@ -204,7 +206,7 @@ void add_demo_command(CLI::App& app, Command& chosen) {
       "--headless", options->headless,
       "No browser: receive the room in this process and report (10 s unless --seconds)");
   command->add_option("--seconds", options->seconds, "Stop after this time")
-      ->check(CLI::NonNegativeNumber);
+      ->check(seconds_from_zero());
   command->add_flag("--true-poses", options->true_poses,
                     "Take the poses of simulated sensors from the simulator instead of aligning");
   command->add_flag("--admin-link", options->admin_link,

@@ -13,6 +13,8 @@
 
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/film_command_options.h"
+#include "roomcast/cli/number_option.h"
+#include "roomcast/cli/print.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/recording/export/set_writer.h"
@@ -162,10 +164,10 @@ void add_export_command(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command->add_option("--out", options->out, "Folder to write to")->required();
   command->add_option("--from", options->from_s, "Begin at this second")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--to", options->to_s, "End at this second")->check(CLI::PositiveNumber);
+      ->check(seconds_from_zero());
+  command->add_option("--to", options->to_s, "End at this second")->check(some_seconds());
   command->add_option("--every", options->every, "Only every n-th frame set")
-      ->check(CLI::Range(1, 1'000'000));
+      ->check(within(1, 1'000'000));
   command
       ->add_option("--crop", options->crop,
                    "Point clouds: only inside the box of two corners x,y,z,x,y,z (metres)")
@@ -174,7 +176,7 @@ void add_export_command(CLI::App& app, Command& chosen) {
   command
       ->add_option("--voxel", options->cloud.voxel_m,
                    "Point clouds: one point for each cube of this size (metres)")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(within(0.0, 1.0));
   command->add_flag("--keep-doubles", options->cloud.keep_doubles,
                     "Point clouds: keep duplicate points of surfaces that several sensors see");
   add_film_options(*command, options->film);

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "roomcast/cli/number_option.h"
 #include "roomcast/cli/render_mode_option.h"
 
 namespace roomcast::cli {
@@ -29,10 +30,10 @@ void add_film_options(CLI::App& command, FilmCommandOptions& options) {
       ->expected(2)
       ->capture_default_str();
   command.add_option("--fps", options.fps, "Video: pictures per second")
-      ->check(CLI::Range(1, 120))
+      ->check(within(1, 120))
       ->capture_default_str();
   command.add_option("--fov", options.fov_deg, "Video: vertical field of view, degrees")
-      ->check(CLI::Range(1.0, 170.0))
+      ->check(within(1.0, 170.0))
       ->capture_default_str();
   add_mode_option(command, "--mode", options.mode);
 }

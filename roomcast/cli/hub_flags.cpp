@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "roomcast/cli/number_option.h"
+
 namespace roomcast::cli {
 namespace {
 
@@ -15,7 +17,7 @@ void add_running_flags(CLI::App& command, HubFlags& flags) {
   command
       .add_option("--threads", flags.threads,
                   "Threads that share the connections (default: one per core)")
-      ->check(CLI::Range(1, 64));
+      ->check(within(1, 64));
   command.add_option("--web", flags.web,
                      "Folder of the built page (default: the one beside this program)");
   command.add_option("--data", flags.data,

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/number_option.h"
+#include "roomcast/cli/print.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/recording/frame_sets/frame_set_reader.h"
@@ -109,7 +111,7 @@ void add_measure_command(CLI::App& app, Command& chosen) {
   command->add_option("--to", options->to, "Second place");
   command->add_option("--floor-plan", options->floor_plan, "Write the floor plan, OUT.svg");
   command->add_option("--at", options->at_s, "Measure from this second on")
-      ->check(CLI::NonNegativeNumber);
+      ->check(seconds_from_zero());
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
       "The median of many frames is measured, without people who walk through.\n"

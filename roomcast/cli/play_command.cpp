@@ -11,10 +11,12 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/number_option.h"
+#include "roomcast/cli/print.h"
 #include "roomcast/cli/status_line.h"
+#include "roomcast/cli/stderr_log.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/token_option.h"
-#include "roomcast/cli/stderr_log.h"
 #include "roomcast/cli/web_directory.h"
 #include "roomcast/hub/server/hub_server.h"
 #include "roomcast/recording/recorder/room_player.h"
@@ -127,12 +129,12 @@ void add_play_command(CLI::App& app, Command& chosen) {
   command->add_option("--room", options->player.room, "The room there");
   add_token_options(*command, options->token);
   command->add_option("--from", options->player.from_s, "Begin at this second")
-      ->check(CLI::NonNegativeNumber);
+      ->check(seconds_from_zero());
   command->add_option("--speed", options->player.speed, "Speed, 0.1 to 10; 2 is twice as fast")
       ->capture_default_str();
   command->add_flag("--loop", options->player.loop, "Start again at the end");
   command->add_option("--port", options->port, "Port of its own hub; 0 takes any free one")
-      ->check(CLI::Range(0, 65'535))
+      ->check(within(0, 65'535))
       ->capture_default_str();
   command->add_option("--web", options->web,
                       "Folder of the built page (default: the one beside this program)");

@@ -13,10 +13,12 @@
 #include <sys/resource.h>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/number_option.h"
+#include "roomcast/cli/print.h"
 #include "roomcast/cli/status_line.h"
+#include "roomcast/cli/stderr_log.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/token_option.h"
-#include "roomcast/cli/stderr_log.h"
 #include "roomcast/recording/recorder/recorder.h"
 
 namespace roomcast::cli {
@@ -174,7 +176,7 @@ void add_record_command(CLI::App& app, Command& chosen) {
   command->add_flag("--bundles", options->bundles,
                     "Record calibration bundles, too; needs an admin's token");
   command->add_option("--seconds", options->seconds, "Stop after this time (default: Ctrl-C)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(seconds_from_zero());
   command->add_flag("--json", options->json, "Print JSON, with the processor time used");
   command->add_flag("--verbose", options->verbose, "Log the connection's state");
   command->footer(

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "roomcast/cli/named_choice.h"
+#include "roomcast/cli/number_option.h"
 
 namespace roomcast::cli {
 
@@ -27,7 +28,7 @@ void add_camera_options(CLI::App& command, sensor::SourceOptions& source) {
           [&camera](int delay) { camera.trigger_delay = std::chrono::microseconds(delay); },
           "Delay after the primary's pulse: 160 for each unit before it, so that time-of-flight "
           "cameras do not disturb each other")
-      ->check(CLI::Range(0, static_cast<int>(source::kLongestTriggerDelay.count())));
+      ->check(within(0, static_cast<int>(source::kLongestTriggerDelay.count())));
 }
 
 }  // namespace roomcast::cli

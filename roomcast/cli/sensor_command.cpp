@@ -9,10 +9,11 @@
 
 #include "roomcast/cli/codec_option.h"
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/number_option.h"
 #include "roomcast/cli/sensor_camera_options.h"
 #include "roomcast/cli/status_line.h"
-#include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/stderr_log.h"
+#include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/token_option.h"
 #include "roomcast/sensor/sensor_feed.h"
 #include "roomcast/sensor/source_factory.h"
@@ -98,12 +99,12 @@ void add_sensor_command(CLI::App& app, Command& chosen) {
   command
       ->add_option("--fps", options->source_options.sim_fps,
                    "Frames per second of a simulated sensor")
-      ->check(CLI::Range(1.0, 60.0))
+      ->check(within(1.0, 60.0))
       ->capture_default_str();
   command
       ->add_option("--sensors", options->source_options.sim_sensor_count,
                    "Simulated: number of sensors around the room")
-      ->check(CLI::Range(1, 8))
+      ->check(within(1, 8))
       ->capture_default_str();
   add_camera_options(*command, options->source_options);
   command->add_option("--preview", options->feed.preview,

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/number_option.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/recording/dataset/rig_writer.h"
@@ -49,8 +50,8 @@ Status run_simulate(SimulateCommand command) {
   std::error_code error;
   const bool is_new = !std::filesystem::exists(command.out, error);
   if (auto status = recording::make_empty_folder(command.out); !status) return status;
-  const Status simulated = simulator::simulate_rig(
   StatusLine line;
+  const Status simulated = simulator::simulate_rig(
       command.out, command.rig,
       [&line](const simulator::SimulateProgress& progress) {
         line.show_progress(progress.doing, progress.done, progress.total);
@@ -58,23 +59,24 @@ Status run_simulate(SimulateCommand command) {
       stop.token());
   if (!simulated && is_new) std::filesystem::remove(command.out, error);  // only if it is empty
   return simulated;
-
 }
+
 void add_room_options(CLI::App& command, SimulateCommand& values) {
   command.add_option("--scene", values.rig.scene, "Scene: " + simulator::scene_list());
   command.add_option("--sensors", values.rig.sensor_count, "Number of sensors around the room")
-      ->check(CLI::Range(1, 8))
+      ->check(within(1, 8))
       ->capture_default_str();
   values.seconds = command.add_option("--seconds", values.rig.seconds, "Length")
-                       ->check(CLI::PositiveNumber)
+                       ->check(some_seconds())
                        ->capture_default_str();
   values.fps = command.add_option("--fps", values.rig.fps, "Frames per second")
-                   ->check(CLI::Range(1.0, simulator::kMaxSimulatedFps))
+                   ->check(within(1.0, simulator::kMaxSimulatedFps))
                    ->capture_default_str();
   command.add_option("--seed", values.rig.seed, "Seed of noise, devices and appearance")
+      ->check(seed_number())
       ->capture_default_str();
   command.add_option("--speed", values.rig.speed, "Speed of all motion: 1 is natural, 0 is none")
-      ->check(CLI::Range(0.0, simulator::kMaxSimulatedSpeed))
+      ->check(within(0.0, simulator::kMaxSimulatedSpeed))
       ->capture_default_str();
 }
 
@@ -86,20 +88,20 @@ void add_sensor_options(CLI::App& command, SimulateCommand& values) {
   command
       .add_option("--clock-offset", values.rig.timing.clock_offset_s,
                   "Maximum offset of the sensors' clocks in seconds")
-      ->check(CLI::Range(0.0, 1000.0))
+      ->check(within(0.0, 1000.0))
       ->capture_default_str();
   command
       .add_option("--clock-drift", values.rig.timing.rate_ppm,
                   "Maximum error of the frame rates in ppm")
-      ->check(CLI::Range(0.0, 1000.0))
+      ->check(within(0.0, 1000.0))
       ->capture_default_str();
   command.add_option("--drops", values.lost_percent, "Percentage of lost frames")
-      ->check(CLI::Range(0.0, 50.0))
+      ->check(within(0.0, 50.0))
       ->capture_default_str();
   command
       .add_option("--interference", values.rig.sensing.interference_per_minute,
                   "Bursts of infrared interference per minute and sensor")
-      ->check(CLI::Range(0.0, simulator::kMaxInterferencePerMinute))
+      ->check(within(0.0, simulator::kMaxInterferencePerMinute))
       ->capture_default_str();
   command
       .add_flag("--harsh{mixed}", values.harsh,
@@ -116,13 +118,13 @@ void add_truth_options(CLI::App& command, SimulateCommand& values) {
   command.add_flag("--truth-color", values.rig.truth_color,
                    "Write noise-free colour into truth/, too");
   command.add_option("--views", values.rig.views, "Number of free viewpoints in truth/")
-      ->check(CLI::Range(0, simulator::kMaxSimulatedViews))
+      ->check(within(0, simulator::kMaxSimulatedViews))
       ->capture_default_str();
   command.add_option("--view-size", values.rig.view_side_px, "Their width and height in pixels")
-      ->check(CLI::Range(16, simulator::kMaxSimulatedViewSide))
+      ->check(within(16, simulator::kMaxSimulatedViewSide))
       ->capture_default_str();
   command.add_option("--threads", values.rig.threads, "Threads; 0: one per core")
-      ->check(CLI::Range(0, 64))
+      ->check(within(0, 64))
       ->capture_default_str();
 }
 

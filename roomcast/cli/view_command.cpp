@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/number_option.h"
 #include "roomcast/cli/render_mode_option.h"
 #include "roomcast/cli/view_options.h"
 
@@ -63,12 +64,12 @@ void add_view_command(CLI::App& app, Command& chosen) {
       ->expected(2)
       ->capture_default_str();
   command->add_option("--fov", options->fov_deg, "Vertical field of view, degrees")
-      ->check(CLI::Range(1.0, 170.0))
+      ->check(within(1.0, 170.0))
       ->capture_default_str();
   command
       ->add_option("--seconds", options->seconds,
                    "Receive for this time before drawing; with a window: close it then")
-      ->check(CLI::NonNegativeNumber);
+      ->check(seconds_from_zero());
   add_mode_option(*command, "--mode", options->mode);
   command->add_flag("--json", options->json, "With --png: print the drawn frames as JSON");
   command->add_flag("--vr", options->vr, "Show the room in a headset, too (OpenXR)");
