@@ -50,8 +50,8 @@ void add_view_command(CLI::App& app, Command& chosen) {
   add_token_options(*command, options->token);
   command->add_option("--name", options->subscriber.name, "Name shown to others");
   command->add_flag("--headless", options->headless, "Without a window: needs --png");
-  command->add_option("--png", options->png,
-                      "Write one picture to this file without a window, and end");
+  CLI::Option* const png = command->add_option(
+      "--png", options->png, "Write one picture to this file without a window, and end");
   command->add_option("--at", options->at, "Viewpoint: x,y,z in metres (default: the hub's)")
       ->delimiter(',')
       ->expected(3);
@@ -71,18 +71,25 @@ void add_view_command(CLI::App& app, Command& chosen) {
                    "Receive for this time before drawing; with a window: close it then")
       ->check(seconds_from_zero());
   add_mode_option(*command, "--mode", options->mode);
-  command->add_flag("--json", options->json, "With --png: print the drawn frames as JSON");
-  command->add_flag("--vr", options->vr, "Show the room in a headset, too (OpenXR)");
-  command->add_flag("--full-screen", options->full_screen, "Full screen");
-  command->add_flag("!--no-panel", options->panel, "Start with a closed panel (Tab opens it)");
+  command->add_flag("--json", options->json, "With --png: print the drawn frames as JSON")
+      ->needs(png);
+  command->add_flag("--vr", options->vr, "Show the room in a headset, too (OpenXR)")->excludes(png);
+  command->add_flag("--full-screen", options->full_screen, "Full screen")->excludes(png);
+  command->add_flag("!--no-panel", options->panel, "Start with a closed panel (Tab opens it)")
+      ->excludes(png);
   command->add_option("--pictures", options->pictures, "Folder for screenshots and videos")
       ->capture_default_str();
-  command->add_option("--last-picture", options->last_picture,
-                      "Write the window's last picture, with its panel, to this file");
+  command
+      ->add_option("--last-picture", options->last_picture,
+                   "Write the window's last picture, with its panel, to this file")
+      ->excludes(png);
   command->footer(
       "In the window H shows all keys. With --png the program waits up to 10 s for a picture of "
       "every\n"
-      "sensor in the room. Without any sensor it draws nothing, reports that and exits with 1.\n"
+      "sensor in the room, then draws those that there are, and names the others. Without any "
+      "sensor "
+      "it\n"
+      "draws nothing, reports that and exits with 1.\n"
       "Examples:\n"
       "  roomcast view --hub ws://127.0.0.1:7600\n"
       "  roomcast view --hub ws://127.0.0.1:7600 --png room.png --at 3,1.6,2 --look 0,1,0");

@@ -34,13 +34,17 @@ std::string missing_sensors(const client::RoomSnapshot& room) {
   return names;
 }
 
-/// True when connected (else the pictures are old) and every online sensor can be drawn.
+/// True when connected (else the pictures are old) and a sensor that is online can be drawn.
 bool can_be_drawn(const client::RoomSnapshot& room) {
   const auto is_seen = [](const client::RoomSensor& sensor) {
     return sensor.online && sensor.picture;
   };
-  return room.connected && std::ranges::any_of(room.sensors, is_seen) &&
-         missing_sensors(room).empty();
+  return room.connected && std::ranges::any_of(room.sensors, is_seen);
+}
+
+std::string no_picture_came(const std::string& missing) {
+  return fmt::format("no picture came from {} within {} s", missing,
+                     std::chrono::seconds(kPicturesWithin).count());
 }
 
 /// The reason why nothing can be drawn yet.
@@ -48,23 +52,28 @@ Error still_waiting(const client::RoomSnapshot& room) {
   if (!room.connected) return {ErrorCode::kUnavailable, room.problem};
   const std::string missing = missing_sensors(room);
   if (!missing.empty()) {
-    return {ErrorCode::kUnavailable, fmt::format("no picture came from {} within {} s", missing,
-                                                 std::chrono::seconds(kPicturesWithin).count())};
+    return {ErrorCode::kUnavailable, no_picture_came(missing)};
   }
   return {ErrorCode::kUnavailable, room.sensors.empty()
                                        ? "no sensor has joined this room; nothing was drawn"
                                        : "all sensors have left this room; nothing was drawn"};
 }
 
-/// Waits until every online sensor has sent a picture and returns the room.
+/// Waits until every online sensor has sent a picture and returns the room. A sensor that sends
+/// none within the time, or only what cannot be decoded, does not keep the others from being drawn.
 Result<RoomPtr> wait_for_pictures(const client::Subscriber& viewer, const std::stop_token& stop) {
   const auto give_up = std::chrono::steady_clock::now() + kPicturesWithin;
   RoomPtr room = viewer.snapshot();
-  while (!can_be_drawn(*room)) {
+  while (!can_be_drawn(*room) || !missing_sensors(*room).empty()) {
     if (auto failure = viewer.failure()) return *failure;
     if (stop.stop_requested())
       return Error{ErrorCode::kClosed, "interrupted before there was a picture"};
-    if (std::chrono::steady_clock::now() > give_up) return still_waiting(*room);
+    if (std::chrono::steady_clock::now() > give_up) {
+      if (!can_be_drawn(*room)) return still_waiting(*room);
+      print_err("roomcast view: {}; the others are drawn\n",
+                no_picture_came(missing_sensors(*room)));
+      return room;
+    }
     room = viewer.wait_newer(room->revision, 100ms);
   }
   return room;
