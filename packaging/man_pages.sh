@@ -5,7 +5,7 @@ set -euo pipefail
 program=$1
 folder=$2
 mkdir -p "$folder"
-version=$("$program" --version)
+version=$("$program" --version | cut -d " " -f 2)
 
 # roff takes a backslash, a leading dot or apostrophe, and a bare minus otherwise than they are meant.
 as_roff() { sed -e 's/\\/\\e/g' -e 's/-/\\-/g' -e "s/^\([.']\)/\\\\\&\1/"; }

@@ -12,6 +12,7 @@
 #include <google/protobuf/stubs/logging.h>
 
 #include "roomcast/cli/print.h"
+#include "roomcast/cli/version.h"
 
 namespace roomcast::cli {
 namespace {
@@ -47,7 +48,7 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
 
 int run_command(int argc, char** argv, std::span<const AddCommand> commands) {
   CLI::App app("roomcast: walk around live in a remote room.", "roomcast");
-  app.set_version_flag("--version", ROOMCAST_VERSION);
+  app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   app.footer("Example: roomcast demo");
   Command chosen;

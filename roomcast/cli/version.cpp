@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/cli/version.h"
+
+#include <fmt/format.h>
+
+#include "roomcast/wire/frame_header.h"
+#include "roomcast_commit.h"
+
+namespace roomcast::cli {
+
+std::string version_text() {
+  return fmt::format("roomcast {} (commit {}, wire version {})", ROOMCAST_VERSION, ROOMCAST_COMMIT,
+                     wire::kVersion);
+}
+
+}  // namespace roomcast::cli

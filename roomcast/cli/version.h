@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `roomcast --version` says.
+#pragma once
+
+#include <string>
+
+namespace roomcast::cli {
+
+/// "roomcast 0.1.0 (commit 0123456789ab, wire version 1)"; the commit is "unknown" where the
+/// program was built from sources without their history.
+[[nodiscard]] std::string version_text();
+
+}  // namespace roomcast::cli
