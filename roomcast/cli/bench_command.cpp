@@ -74,7 +74,7 @@ void add_codec_bench(CLI::App& bench, Command& chosen) {
       ->add_option("--back-and-forth", options->simulator.back_and_forth_fps,
                    "Play a recording forward and backward at this many frames per second, until "
                    "--frames; also measures depth errors on what stands still")
-      ->check(CLI::Range(1.0, 60.0));
+      ->check(within(1.0, 60.0));
   command->add_flag("--json", options->json, "Print JSON");
   command->footer("Example:\n  roomcast bench codec rig:recordings/lab#s0 --json");
   command->callback([options, &chosen] {
