@@ -29,6 +29,7 @@ constexpr float kNewestChange = 0.06f;  // weight of the newest frame; the first
 constexpr float kPriorFrames = 4;       // what is expected counts as so many frames
 // A few pixels' offset is noise where patches change more than that.
 constexpr float kSharedPatchChange = 0.45f;
+constexpr float kSqrt3 = 1.7320508f;
 constexpr float kUnknownOffset = std::numeric_limits<float>::quiet_NaN();
 
 struct Columns {
@@ -65,7 +66,7 @@ void DriftDetector::resize(const BlockGrid& grid) {
   column_deviation_.assign(padded, 0);
   offset_.assign(4 * grid.block_count(), 0);
   newest_.assign(4 * grid.block_count(), kUnknownOffset);
-  before_ = newest_;
+  before_ = long_before_ = newest_;
   patch_change_.assign(4 * grid.block_count(), kPatchChange);
   block_change_.assign(grid.block_count(), kBlockChange);
   frames_since_motion_.assign(grid.block_count(), kLately_frames);
@@ -77,6 +78,7 @@ void DriftDetector::update(const FrameChange& change, const PixelHistory& histor
   }
   ++frames_;
   newest_weight_ = std::max(kNewestChange, 1 / (kPriorFrames + static_cast<float>(frames_)));
+  std::swap(before_, long_before_);
   std::swap(newest_, before_);
   std::fill(newest_.begin(), newest_.end(), kUnknownOffset);
   for (int y = 0; y < grid_.height; y += kPatchSide) {
@@ -119,7 +121,9 @@ void DriftDetector::update_patch(int patch_x, int patch_y) {
 void DriftDetector::learn_noise(std::size_t block) {
   float sum = 0;
   for (std::size_t patch = 4 * block; patch < 4 * block + 4; ++patch) {
-    const float change = newest_[patch] - before_[patch];
+    // The second difference, which motion of constant speed leaves 0. It has the noise of
+    // 1 + 4 + 1 offsets, a change that of two.
+    const float change = (newest_[patch] - 2 * before_[patch] + long_before_[patch]) / kSqrt3;
     sum += change;
     if (std::isnan(change)) continue;
     patch_change_[patch] +=

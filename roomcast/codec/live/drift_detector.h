@@ -4,8 +4,8 @@
 //
 // Neighbouring pixels of a structured-light sensor share their noise, so that patches jump
 // together although nothing moves. What counts as drift is therefore learnt for each patch and
-// each block, from the changes of their offsets between frames: noise changes them back and forth,
-// drift hardly from one frame to the next. Used by the live encoder only.
+// each block while it is not coded, from second differences of the offset over three frames: noise
+// changes it back and forth, drift steadily. Used by the live encoder only.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +43,7 @@ class DriftDetector {
   // In sigmas of a pixel; four patches for each block.
   std::vector<float> offset_;  // running average
   std::vector<float> newest_;  // offset in the newest frame; NaN: unknown, or coded since
-  std::vector<float> before_;  // the same, one frame earlier
+  std::vector<float> before_, long_before_;  // the same, one and two frames earlier
   // Means of the changes of the offset from frame to frame, of patches and of blocks.
   std::vector<float> patch_change_, block_change_;
   float newest_weight_ = 1;  // of the newest change
