@@ -8,7 +8,7 @@ namespace roomcast::codec {
 namespace {
 
 constexpr float kPriorSigma_mm = 0.7f;  // at 1 m; twice that of the Kinects and Xtions seen so far
-constexpr float kLeastBlockSigma_mm = 0.25f, kMostPriors = 4;  // times the prior
+constexpr float kMinBlockSigma_mm = 0.25f, kMaxPriors = 4;  // times the prior
 constexpr int kMinBlocks = 24;  // of a distance, in a frame; fewer say nothing
 // Largest change of the logarithm of sigma in a frame: the first frames may change it quickly.
 constexpr float kQuickStep = 0.5f, kStep = 0.06f;
@@ -18,7 +18,7 @@ constexpr float kMedianOfSecondDifference = 0.6745f * 2.4495f;
 
 float prior_mm(int knot) {
   const float z_m = static_cast<float>(sigma_knot_mm(knot)) / 1000;
-  return std::max(kLeastBlockSigma_mm, kPriorSigma_mm * z_m * z_m);
+  return std::max(kMinBlockSigma_mm, kPriorSigma_mm * z_m * z_m);
 }
 
 }  // namespace
@@ -50,8 +50,8 @@ void NoiseLaw::learn(const ThreeFrames& blocks) {
     const Count& count = counts[knot];
     if (count.blocks < kMinBlocks) continue;
     const float excess = 2 * static_cast<float>(count.above) / static_cast<float>(count.blocks) - 1;
-    sigma_mm_[knot] = std::clamp(sigma_mm_[knot] * std::exp(step * excess), kLeastBlockSigma_mm,
-                                 kMostPriors * prior_mm(static_cast<int>(knot)));
+    sigma_mm_[knot] = std::clamp(sigma_mm_[knot] * std::exp(step * excess), kMinBlockSigma_mm,
+                                 kMaxPriors * prior_mm(static_cast<int>(knot)));
   }
 }
 

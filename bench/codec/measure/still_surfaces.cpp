@@ -8,18 +8,18 @@
 namespace roomcast::bench {
 namespace {
 
-constexpr double kMostFrames = 0.9, kMostReadings = 0.9;
+constexpr double kMinFrameShare = 0.9, kMinNearShare = 0.9;
 
 /// Sorts the readings. 0 where they are not those of a still surface.
 std::uint16_t still_median(std::vector<std::uint16_t>& readings, std::size_t frames) {
   const auto count = static_cast<double>(readings.size());
-  if (readings.empty() || count < kMostFrames * static_cast<double>(frames)) return 0;
+  if (readings.empty() || count < kMinFrameShare * static_cast<double>(frames)) return 0;
   std::sort(readings.begin(), readings.end());
   const std::uint16_t median = readings[readings.size() / 2];
   const auto near = std::count_if(readings.begin(), readings.end(), [median](std::uint16_t z) {
     return std::abs(z - median) <= kStillShare * median;
   });
-  return static_cast<double>(near) < kMostReadings * count ? std::uint16_t{0} : median;
+  return static_cast<double>(near) < kMinNearShare * count ? std::uint16_t{0} : median;
 }
 
 }  // namespace

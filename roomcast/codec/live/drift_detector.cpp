@@ -20,11 +20,11 @@ constexpr float kMaxPatchOffset = 0.9f, kMaxBlockOffset = 0.3f;
 // With shared noise: five standard deviations of the running average, whose noise is 0.37 times
 // the mean change of an offset from frame to frame (Gaussian, kNewest).
 constexpr float kOffsetPerChange = 5 * 0.37f;
-constexpr float kMostOffset = 3;  // more than that is a jump of pixels
+constexpr float kMaxOffset = 3;  // more than that is a jump of pixels
 
 // Mean changes where pixels share no noise: means of 16 and of 64 pixels.
 constexpr float kPatchChange = 0.28f, kBlockChange = 0.14f;
-constexpr float kMostChange = 2;        // of a sample; larger ones are motion
+constexpr float kMaxChange = 2;         // of a sample; larger ones are motion
 constexpr float kNewestChange = 0.06f;  // weight of the newest frame; the first ones have more
 constexpr float kPriorFrames = 4;       // what is expected counts as so many frames
 // A few pixels' offset is noise where patches change more than that.
@@ -39,7 +39,7 @@ struct Columns {
 };
 
 float offset_limit(float least, float change) {
-  return std::clamp(kOffsetPerChange * change, least, kMostOffset);
+  return std::clamp(kOffsetPerChange * change, least, kMaxOffset);
 }
 
 ROOMCAST_VECTOR_CLONES
@@ -127,11 +127,11 @@ void DriftDetector::learn_noise(std::size_t block) {
     sum += change;
     if (std::isnan(change)) continue;
     patch_change_[patch] +=
-        newest_weight_ * (std::min(std::abs(change), kMostChange) - patch_change_[patch]);
+        newest_weight_ * (std::min(std::abs(change), kMaxChange) - patch_change_[patch]);
   }
   if (std::isnan(sum)) return;
   float& of_block = block_change_[block];
-  of_block += newest_weight_ * (std::min(std::abs(sum) / 4, kMostChange) - of_block);
+  of_block += newest_weight_ * (std::min(std::abs(sum) / 4, kMaxChange) - of_block);
 }
 
 BlockDrift DriftDetector::of(std::size_t block) const {
