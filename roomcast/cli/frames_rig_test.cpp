@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/core/temporary_folder.h"
-#include "roomcast/recording/dataset/shared_data.h"
+#include "roomcast/recording/dataset/recording_fixture.h"
 #include "roomcast/simulator/rig/simulate_rig.h"
 
 namespace roomcast::cli {

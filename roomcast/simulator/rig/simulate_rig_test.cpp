@@ -15,6 +15,7 @@
 #include "roomcast/io/image_file.h"
 #include "roomcast/recording/dataset/rig_json.h"
 #include "roomcast/recording/playback/recording_source.h"
+#include "roomcast/simulator/sensing/sensor_unit.h"
 #include "roomcast/simulator/simulated_source.h"
 
 namespace roomcast::simulator {
