@@ -26,19 +26,19 @@ std::unique_ptr<SimulatedSensor> harsh_sensor(Harshness harshness, std::uint64_t
   return SimulatedSensor::open(harsh_room(), options).value();
 }
 
-struct Readings {
+struct HarshReadings {
   std::vector<double> ratios;   // true depth over reading
   std::set<std::uint16_t> far;  // different readings beyond 3 m
   double lost = 0;              // share of the pixels
 };
 
-Readings readings_of(const SimulatedSensor& sensor) {
+HarshReadings harsh_readings_of(const SimulatedSensor& sensor) {
   auto moment = sensor.make_moment();
   sensor.look({}, moment);
   DepthImage depth_mm;
   sensor.read_depth(0, moment, depth_mm);
   const DepthImage& clean_mm = sensor.clean_depth_mm(moment);
-  Readings readings;
+  HarshReadings readings;
   for (std::size_t i = 0; i < depth_mm.view().pixel_count(); ++i) {
     const std::uint16_t reading = depth_mm.data()[i];
     readings.lost += reading == 0;
@@ -55,7 +55,7 @@ TEST(HarshSensor, readings_are_off_by_the_depth_scale_of_the_truth) {
   for (const Harshness harshness : {Harshness::kTimeOfFlight, Harshness::kStructuredLight}) {
     for (const std::uint64_t seed : {1U, 2U}) {
       const auto sensor = harsh_sensor(harshness, seed);
-      const Readings readings = readings_of(*sensor);
+      const HarshReadings readings = harsh_readings_of(*sensor);
       ASSERT_GT(readings.ratios.size(), 20'000U);
       EXPECT_NEAR(readings.ratios[readings.ratios.size() / 2], sensor->unit().depth_scale, 0.012)
           << name_of(harshness) << " " << seed;
@@ -66,8 +66,8 @@ TEST(HarshSensor, readings_are_off_by_the_depth_scale_of_the_truth) {
 }
 
 TEST(HarshSensor, structured_light_has_steps_and_time_of_flight_none) {
-  const Readings steps = readings_of(*harsh_sensor(Harshness::kStructuredLight, 1));
-  const Readings smooth = readings_of(*harsh_sensor(Harshness::kTimeOfFlight, 1));
+  const HarshReadings steps = harsh_readings_of(*harsh_sensor(Harshness::kStructuredLight, 1));
+  const HarshReadings smooth = harsh_readings_of(*harsh_sensor(Harshness::kTimeOfFlight, 1));
   EXPECT_LT(steps.far.size(), 80U);  // 3 to 8 m are about 70 steps
   EXPECT_GT(smooth.far.size(), 500U);
 }

@@ -35,7 +35,7 @@ double middle_of(const ColorImage& picture, int y) {
   return weighted / sum;
 }
 
-ColorImage exposed(const Shutter& shutter, int step) {
+ColorImage shuttered(const Shutter& shutter, int step) {
   ColorImage out(60, 40);
   expose_rows(shutter, moving_bar(step), out.view());
   return out;
@@ -61,9 +61,9 @@ TEST(Shutter, instants_are_centred_and_span_readout_and_exposure) {
 }
 
 TEST(Shutter, rolling_bends_what_moves) {
-  const ColorImage bent = exposed({0.040F, 0.001F}, 4);
+  const ColorImage bent = shuttered({0.040F, 0.001F}, 4);
   EXPECT_GT(middle_of(bent, 38) - middle_of(bent, 1), 10);
-  const ColorImage still = exposed({0.040F, 0.001F}, 0);
+  const ColorImage still = shuttered({0.040F, 0.001F}, 0);
   EXPECT_NEAR(middle_of(still, 38), middle_of(still, 1), 1e-9);
 }
 
@@ -73,8 +73,8 @@ TEST(Shutter, a_long_exposure_blurs_what_moves_and_nothing_else) {
     for (int x = 0; x < picture.width(); ++x) level = std::max<int>(level, picture.at(x, 20).r);
     return level;
   };
-  EXPECT_LT(brightest(exposed({0.0F, 0.040F}, 6)), 150);
-  EXPECT_EQ(brightest(exposed({0.0F, 0.040F}, 0)), 200);
+  EXPECT_LT(brightest(shuttered({0.0F, 0.040F}, 6)), 150);
+  EXPECT_EQ(brightest(shuttered({0.0F, 0.040F}, 0)), 200);
 }
 
 }  // namespace
