@@ -66,6 +66,26 @@ describe('an unplaced sensor', () => {
     await until('the refusal', places, (said) => /The proposed pose was refused/.test(said));
   });
 
+  test('keys move it while its buttons are on the screen, and Escape puts it back', slow, async () => {
+    const place = async () => (await lone()).drawnAt;
+    const start = await place();
+    await button('Turn left (U)').click();
+    await button('To the right (L)').click();
+    await page.keyboard.press('KeyL');
+    assert.ok(Math.abs(distance(await place(), start) - 0.1) < 1e-3, 'two steps of 5 cm, shown here only');
+    await button('Close the console').click();
+    await page.keyboard.press('KeyL');
+    assert.ok(Math.abs(distance(await place(), start) - 0.1) < 1e-3, 'the console is closed');
+    await button('Console').click();
+    await button('To the right (L)').focus();
+    await page.keyboard.press('Escape');
+    assert.ok(distance(await place(), start) < 1e-6, 'it is back');
+    assert.ok(await page.locator('#console').isVisible());
+    await page.keyboard.press('Escape');
+    assert.ok(await page.locator('#console').isHidden());
+    await button('Console').click();
+  });
+
   test('a nudge to a viewpoint near its pose places it', slow, async () => {
     await button('Where I stand and look').click();
     assert.ok(distance((await lone()).drawnAt, [truth[3] + off_m, truth[7], truth[11]]) < 1e-3, 'shown there at once');
