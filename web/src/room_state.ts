@@ -5,6 +5,7 @@ import type { ViewerPose, Welcome } from './gen/control_pb';
 import { RateMeter } from './rate_meter';
 import type { RoomRoster, RoomSensor } from './room_roster';
 import {
+  initialState,
   pageTime_ms,
   type Body,
   type ConnectionState,
@@ -22,13 +23,7 @@ interface SensorRates {
 }
 
 export class RoomState {
-  connection: ConnectionState = {
-    phase: 'connecting',
-    sentence: '',
-    reload: false,
-    retryAt_ms: undefined,
-    openedAt_ms: undefined,
-  };
+  connection = initialState;
   welcome: Welcome | undefined;
   roster: RoomRoster | undefined;
   status: Status | undefined;

@@ -3,10 +3,10 @@ import { create } from '@bufbuild/protobuf';
 import { describe, expect, test } from 'vitest';
 import { Placement, RosterSchema } from '../gen/control_pb';
 import { roomRoster } from '../room_roster';
-import type { SensorTraffic } from '../stream/protocol';
+import { initialState, type SensorTraffic } from '../stream/protocol';
 import { problems, type Known } from './problems';
 
-const joined = { phase: 'joined', sentence: '', reload: false, retryAt_ms: undefined, openedAt_ms: 0 } as const;
+const joined = { ...initialState, phase: 'joined' } as const;
 const s0 = { id: 0, name: 's0', online: true, fps: 5, placement: Placement.GIVEN };
 const traffic: SensorTraffic = {
   sensor: 0,

@@ -49,8 +49,29 @@ test('the wait before the next try doubles up to five seconds and is spread', ()
   expect(reconnectDelay_ms(6, 0)).toBe(3750);
 });
 
-test('a client with a bad token does not try again', () => {
+test('what a hub refuses for good is hopeless, and what may pass is not', () => {
+  const refusal = (code: ErrorCode) => isHopeless({ ...plain, error: { code, sentence: '' } });
+  const forGood = [
+    ErrorCode.ERROR_UNAUTHENTICATED,
+    ErrorCode.ERROR_TOKEN_EXPIRED,
+    ErrorCode.ERROR_TOKEN_REVOKED,
+    ErrorCode.ERROR_TOKEN_INVALID,
+    ErrorCode.ERROR_CODE_USED,
+    ErrorCode.ERROR_WRONG_ROOM,
+    ErrorCode.ERROR_WRONG_ROLE,
+    ErrorCode.ERROR_NO_SUCH_ROOM,
+  ];
+  expect(forGood.filter((code) => !refusal(code))).toEqual([]);
   expect(isHopeless(plain)).toBe(false);
-  expect(isHopeless({ ...plain, error: { code: ErrorCode.ERROR_CODE_USED, sentence: '' } })).toBe(true);
+  const passing = [ErrorCode.ERROR_BUSY, ErrorCode.ERROR_ROOM_FULL, ErrorCode.ERROR_SHUTTING_DOWN, ErrorCode.ERROR_TOO_SLOW];
+  expect(passing.filter(refusal)).toEqual([]);
   expect(reconnectDelay_ms(1, 0, true)).toBe(45_000);
+});
+
+test('another token helps where the token is at fault, not where the room is', () => {
+  const needs = (code: ErrorCode) => explain({ ...plain, error: { code, sentence: '' } }, 'h', 'lab').needsToken;
+  expect(needs(ErrorCode.ERROR_UNAUTHENTICATED)).toBe(true);
+  expect(needs(ErrorCode.ERROR_TOKEN_EXPIRED)).toBe(true);
+  expect(needs(ErrorCode.ERROR_NO_SUCH_ROOM)).toBe(false);
+  expect(needs(ErrorCode.ERROR_BUSY)).toBe(false);
 });

@@ -15,24 +15,44 @@ export interface Ending {
 export interface Explanation {
   sentence: string;
   reload: boolean; // another attempt will not help, reloading the page may
+  needsToken: boolean; // a token, or another one, will help
 }
+
+/** A token, or another one, is needed. */
+const tokenErrors: readonly ErrorCode[] = [
+  ErrorCode.ERROR_UNAUTHENTICATED,
+  ErrorCode.ERROR_TOKEN_EXPIRED,
+  ErrorCode.ERROR_TOKEN_INVALID,
+  ErrorCode.ERROR_TOKEN_REVOKED,
+  ErrorCode.ERROR_CODE_USED,
+  ErrorCode.ERROR_WRONG_ROOM,
+  ErrorCode.ERROR_WRONG_ROLE,
+];
 
 /** True if another attempt cannot succeed. A hub bans addresses that present bad tokens repeatedly. */
 export function isHopeless({ error }: Ending): boolean {
-  return error?.code === ErrorCode.ERROR_CODE_USED || error?.code === ErrorCode.ERROR_TOKEN_INVALID;
+  return error?.code === ErrorCode.ERROR_NO_SUCH_ROOM || needsToken(error);
+}
+
+function needsToken(error: Ending['error']): boolean {
+  return error !== undefined && tokenErrors.includes(error.code);
 }
 
 /** `room` is the requested room, or empty. */
 export function explain(ending: Ending, host: string, room: string): Explanation {
-  const { error, ownFault } = ending;
-  if (ownFault?.unsupported || error?.code === ErrorCode.ERROR_UNSUPPORTED) {
-    return { sentence: texts.differentVersion, reload: true };
-  }
-  if (ownFault) return { sentence: ownFault.sentence, reload: false };
-  if (error) return { sentence: explainError(error, room), reload: false };
-  if (!ending.opened) return { sentence: texts.noAnswer(host), reload: false };
-  if (ending.closeCode === 1001) return { sentence: texts.stopped, reload: false };
-  return { sentence: texts.gone(host, ending.closeReason), reload: false };
+  const unsupported = ending.ownFault?.unsupported || ending.error?.code === ErrorCode.ERROR_UNSUPPORTED;
+  return {
+    sentence: unsupported ? texts.differentVersion : sentenceFor(ending, host, room),
+    reload: unsupported,
+    needsToken: needsToken(ending.error),
+  };
+}
+
+function sentenceFor({ error, ownFault, opened, closeCode, closeReason }: Ending, host: string, room: string): string {
+  if (ownFault) return ownFault.sentence;
+  if (error) return explainError(error, room);
+  if (!opened) return texts.noAnswer(host);
+  return closeCode === 1001 ? texts.stopped : texts.gone(host, closeReason);
 }
 
 function explainError({ code, sentence }: NonNullable<Ending['error']>, room: string): string {

@@ -10,6 +10,7 @@ export class HubChoice {
   private here: string;
   private avoidsHere = false;
   private readonly useless = new Set<string>();
+  private readonly refusing = new Set<string>(); // hubs that will refuse this page again
   private failures = 0; // consecutive
 
   /** `own` is the socket of the hub that served the page. */
@@ -23,6 +24,11 @@ export class HubChoice {
   }
   get hasOthers(): boolean {
     return this.all.length > 1;
+  }
+
+  /** No hub is left that might accept this page. */
+  get allRefuse(): boolean {
+    return this.all.every((hub) => this.refusing.has(hub));
   }
 
   /** The hubs to try now, all at once. */
@@ -43,6 +49,7 @@ export class HubChoice {
   }
   welcomed(): void {
     this.failures = 0;
+    this.refusing.clear();
   }
 
   /**
@@ -50,6 +57,7 @@ export class HubChoice {
    */
   failed(hopeless: boolean): boolean {
     if (hopeless && this.here !== this.own) this.useless.add(this.here);
+    if (hopeless) this.refusing.add(this.here);
     const count = this.all.length;
     this.avoidsHere = true;
     return ++this.failures % count !== 0;

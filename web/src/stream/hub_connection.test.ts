@@ -108,6 +108,30 @@ describe('a hub connection', () => {
     expect(states.map((state) => state.phase)).toEqual(['connecting', 'joined']);
   });
 
+  test('stops where the hub refuses it for good, and says so', () => {
+    start();
+    socket().open();
+    socket().say({ case: 'error', value: { code: ErrorCode.ERROR_TOKEN_EXPIRED, sentence: '' } });
+    socket().end(1008);
+    expect(states.at(-1)).toMatchObject({ phase: 'waiting', ended: true, needsToken: true, retryAt_ms: undefined });
+    vi.advanceTimersByTime(600_000);
+    expect(FakeSocket.all.length).toBe(1);
+  });
+
+  test('goes on while a hub that may still accept it does not answer', () => {
+    const first = welcomedBesideAnother();
+    first.end(1006);
+    vi.advanceTimersByTime(0);
+    const other = FakeSocket.all.find(({ url }) => url === 'ws://b:7600/ws')!;
+    other.open();
+    other.say({ case: 'error', value: { code: ErrorCode.ERROR_TOKEN_INVALID, sentence: '' } });
+    other.end(1008);
+    expect(states.at(-1)!.ended).toBe(false);
+    const before = FakeSocket.all.length;
+    vi.advanceTimersByTime(61_000);
+    expect(FakeSocket.all.length).toBeGreaterThan(before);
+  });
+
   test('reconnects with the token that it got for its code', () => {
     start();
     socket().open();

@@ -11,7 +11,7 @@ import { asName } from '../wire/name_check';
 import { malformed, WireError } from '../wire/wire_error';
 import { explain, isHopeless, reconnectDelay_ms, type Ending, type Explanation } from './close_reason';
 import { HubChoice } from './hub_choice';
-import { pageTime_ms, type ConnectionState, type StartOptions } from './protocol';
+import { initialState, pageTime_ms, type ConnectionState, type StartOptions } from './protocol';
 import { SocketRace } from './socket_race';
 
 const subprotocol = 'roomcast.v1';
@@ -63,7 +63,7 @@ export class HubConnection {
     this.clock = new RoomClock();
     this.pings = 0;
     this.openedAt_ms = pageTime_ms();
-    this.report('connecting', '');
+    this.report('connecting');
     new SocketRace(this.hubs.toTry(), subprotocol, {
       won: (socket, url) => this.opened(socket, url),
       lost: (event) => this.nobodyAnswered(event),
@@ -140,7 +140,7 @@ export class HubConnection {
     this.hubs.welcomed();
     if (welcome.token) this.token = welcome.token;
     this.events.welcome(welcome);
-    this.report('joined', '');
+    this.report('joined');
     this.schedulePing();
   }
 
@@ -180,18 +180,23 @@ export class HubConnection {
     clearInterval(this.silenceTimer);
     this.socket = undefined;
     this.events.disconnected();
-    const { sentence, reload } = this.explain(event);
+    const why = this.explain(event);
     const hopeless = isHopeless(this.ending);
-    if (!this.hubs.failed(hopeless)) return this.connectLater(sentence, reload, hopeless);
-    this.report('waiting', `${sentence} ${connectionTexts.elsewhere}`, reload);
-    setTimeout(() => this.connect(), 0);
+    if (this.hubs.failed(hopeless)) {
+      this.report('waiting', { ...why, sentence: `${why.sentence} ${connectionTexts.elsewhere}` });
+      setTimeout(() => this.connect(), 0);
+    } else if (hopeless && this.hubs.allRefuse) {
+      this.report('waiting', { ...why, ended: true });
+    } else {
+      this.connectLater(why, hopeless);
+    }
   }
 
   private nobodyAnswered(event: Pick<CloseEvent, 'code' | 'reason'>): void {
     this.events.disconnected();
-    const { sentence, reload } = this.explain(event);
+    const why = this.explain(event);
     this.hubs.nobodyAnswered();
-    this.connectLater(sentence, reload, false);
+    this.connectLater(why, false);
   }
 
   private explain({ code, reason }: Pick<CloseEvent, 'code' | 'reason'>): Explanation {
@@ -200,14 +205,14 @@ export class HubConnection {
     return explain(this.ending, new URL(this.hubs.current).host, this.room);
   }
 
-  private connectLater(sentence: string, reload: boolean, hopeless: boolean): void {
+  private connectLater(why: Explanation, hopeless: boolean): void {
     const delay = reconnectDelay_ms(++this.failures, Math.random(), hopeless);
-    this.report('waiting', sentence, reload, Date.now() + delay);
+    this.report('waiting', { ...why, retryAt_ms: Date.now() + delay });
     setTimeout(() => this.connect(), delay);
   }
 
-  private report(phase: ConnectionState['phase'], sentence: string, reload = false, retryAt_ms?: number): void {
-    this.events.connection({ phase, sentence, reload, retryAt_ms, openedAt_ms: this.openedAt_ms });
+  private report(phase: ConnectionState['phase'], facts: Partial<ConnectionState> = {}): void {
+    this.events.connection({ ...initialState, openedAt_ms: this.openedAt_ms, ...facts, phase });
   }
 }
 

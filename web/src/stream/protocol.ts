@@ -23,9 +23,21 @@ export interface ConnectionState {
   phase: ConnectionPhase;
   sentence: string; // the problem, or empty
   reload: boolean; // only reloading the page can help
+  needsToken: boolean; // a token, or another one, will help
+  ended: boolean; // the hub will refuse again, so the page does not try again by itself
   retryAt_ms: number | undefined; // by Date.now, while waiting to reconnect
   openedAt_ms: number | undefined; // page time when this connection's socket was requested
 }
+
+export const initialState: ConnectionState = {
+  phase: 'connecting',
+  sentence: '',
+  reload: false,
+  needsToken: false,
+  ended: false,
+  retryAt_ms: undefined,
+  openedAt_ms: undefined,
+};
 
 /** Counts since the start of the worker. */
 export interface SensorTraffic {
