@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
 import { requireBuilt, startHub, startSensor } from './programs.mjs';
-import { panelText, sensorsOf, slow, stateOf, until, untilAllShown } from './waiting.mjs';
+import { panelText, slow, stateOf, until, untilAllShown } from './waiting.mjs';
 
 describe('a browser that', () => {
   let hub, sensor, browser;
@@ -45,6 +45,37 @@ describe('a browser that', () => {
       () => panelText(page),
       (text) => /cookies are blocked/.test(text),
     );
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+  });
+
+  test('takes the graphics context away and gives it back shows the room again', slow, async () => {
+    const page = await openPage(browser.context, `${hub.page}?panel=1`);
+    await untilAllShown(page, 1);
+    await page.evaluate(() => {
+      window.context = document.getElementById('room').getContext('webgl2').getExtension('WEBGL_lose_context');
+      window.context.loseContext();
+    });
+    await until(
+      'the loss is reported',
+      () => panelText(page),
+      (text) => /The graphics card has stopped/.test(text),
+    );
+    page.complaints.length = 0;
+    await page.evaluate(() => window.context.restoreContext());
+    const { shownSets } = await until(
+      'it is live',
+      () => stateOf(page),
+      (state) => state.phase === 'joined',
+    );
+    assert.doesNotMatch(await panelText(page), /graphics card/);
+    await until(
+      'three more sets',
+      () => stateOf(page),
+      (state) => state.shownSets >= shownSets + 3,
+    );
+    const colors = await page.evaluate(() => new Set(window.roomcast.picture().rgba).size);
+    assert.ok(colors > 50, `a picture of ${colors} values`);
     assert.deepEqual(page.complaints, []);
     await page.close();
   });

@@ -125,11 +125,12 @@ class Page {
 
   private openStage(): Stage {
     const canvas = document.getElementById('room') as HTMLCanvasElement;
-    canvas.addEventListener('webglcontextlost', () => this.breakDown(problemTexts.contextLost));
     try {
       return new Stage(canvas, {
         refresh: (now_ms, frame) => this.refresh(now_ms, frame),
         drawn: (withFrames) => this.drawn(withFrames),
+        lost: () => this.breakDown(this.state.broken || problemTexts.contextLost),
+        restored: () => this.breakDown(this.state.broken === problemTexts.contextLost ? '' : this.state.broken),
       });
     } catch (error) {
       this.breakDown(problemTexts.noWebGl);
@@ -311,6 +312,7 @@ class Page {
     this.progress.refresh();
   }
 
+  /** The page cannot continue; with an empty sentence, it can again. */
   private breakDown(sentence: string): void {
     this.state.broken = sentence;
     this.refreshWords();

@@ -203,7 +203,7 @@ export const placementTexts = {
 
 export const problemTexts = {
   noWebGl: 'This browser cannot draw in 3D (WebGL 2 is missing or switched off).',
-  contextLost: 'The graphics card has stopped. Load the page again.',
+  contextLost: 'The graphics card has stopped. If the room does not come back, load the page again.',
   noDecoder: (reason: string) =>
     `The depth decoder could not be loaded (${reason}). Nothing can be shown; load the page again.`,
   decoderStopped: (reason: string) => `The decoder has stopped (${reason}). Load the page again.`,

@@ -113,6 +113,14 @@ export class RoomScene {
     this.avatars.follow(roster.viewers.filter((viewer) => viewer.id !== self));
   }
 
+  /** The graphics context is new: what it held is gone, and each sensor is drawn again from its next picture on. */
+  restore(): void {
+    for (const [id, placed] of [...this.placed]) {
+      this.remove(id, placed);
+      this.add(placed.entry);
+    }
+  }
+
   /** The pixels are read until the next picture has been drawn. */
   show(frames: readonly ViewFrame[]): void {
     for (const frame of frames) {

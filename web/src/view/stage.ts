@@ -21,6 +21,10 @@ export interface StageEvents {
   refresh(now_ms: number, frame: XRFrame | undefined): void;
   /** A picture is on the screen; `withFrames` when it was the first with the frames last passed to `show`. */
   drawn(withFrames: boolean): void;
+  /** The browser has taken the graphics context away, as phones do when one changes the app. */
+  lost(): void;
+  /** It has given a new one. */
+  restored(): void;
 }
 
 export class Stage {
@@ -49,6 +53,8 @@ export class Stage {
     this.ladder = new QualityLadder(drawsInSoftware(this.renderer.getContext() as WebGL2RenderingContext));
     this.room = new RoomScene(this.renderer);
     new ResizeObserver(() => this.touch()).observe(canvas);
+    canvas.addEventListener('webglcontextlost', () => events.lost());
+    canvas.addEventListener('webglcontextrestored', () => this.restore()); // after the renderer's own listener
     this.renderer.setAnimationLoop((now_ms, frame) => this.refresh(now_ms, frame));
   }
 
@@ -101,6 +107,12 @@ export class Stage {
     this.room.show(frames);
     this.newFrames = true;
     this.touch();
+  }
+
+  private restore(): void {
+    this.room.restore();
+    this.touch();
+    this.events.restored();
   }
 
   private refresh(now_ms: number, frame: XRFrame | undefined): void {
