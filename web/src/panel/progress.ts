@@ -15,7 +15,7 @@ export class Progress {
     private readonly root: HTMLElement,
     private readonly state: RoomState,
   ) {
-    root.append(this.words, this.bar);
+    root.replaceChildren(this.words, this.bar); // instead of the words for the time before the script has come
     this.refresh();
   }
 
