@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page in a browser that denies it something: storage, scripts, its graphics context, colours of its own.
+// The page where something is denied: storage, scripts, the graphics context, colours of its own, entry, the hub.
 import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
-import { requireBuilt, startHub, startSensor } from './programs.mjs';
+import { adminsToken, requireBuilt, startHub, startSensor } from './programs.mjs';
 import { panelText, slow, stateOf, until, untilAllShown } from './waiting.mjs';
 
 describe('a browser that', () => {
@@ -77,6 +80,100 @@ describe('a browser that', () => {
     const colors = await page.evaluate(() => new Set(window.roomcast.picture().rgba).size);
     assert.ok(colors > 50, `a picture of ${colors} values`);
     assert.deepEqual(page.complaints, []);
+    await page.close();
+  });
+
+  test('has the system’s own colours shows what is chosen and the sensors’ colours', slow, async () => {
+    const page = await openPage(browser.context, `${hub.page}?panel=1&mode=mesh`);
+    await untilAllShown(page, 1);
+    await page.emulateMedia({ forcedColors: 'active' });
+    const backOf = (selector) => page.locator(selector).first().evaluate((part) => getComputedStyle(part).backgroundColor);
+    const plain = await backOf('#panel');
+    for (const group of ['mode', 'theme']) {
+      const chosen = await backOf(`input[name=${group}]:checked + span`);
+      assert.notEqual(chosen, await backOf(`input[name=${group}]:not(:checked) + span`), group);
+    }
+    assert.notEqual(await backOf('#panel .sensors .swatch'), plain);
+    assert.notEqual(await backOf('#panel .people .swatch'), plain);
+    assert.notEqual(await backOf('#panel .dot'), plain);
+    await page.emulateMedia({ forcedColors: 'none' });
+    await page.close();
+  });
+
+  test('runs no scripts, or has not loaded them yet, shows words', slow, async () => {
+    const page = await browser.context.newPage();
+    await page.emulateMedia({ colorScheme: 'light' });
+    await page.route('**/*.js', (route) => route.abort());
+    await page.goto(hub.page);
+    assert.equal((await page.locator('#progress').innerText()).trim(), 'Loading the page …');
+    const back = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    assert.equal(back, 'rgb(233, 237, 242)');
+    await page.close();
+
+    const html = await (await fetch(hub.page)).text();
+    assert.match(html, /<section id="progress"[^]*<noscript><p>This page draws the room with JavaScript[^]*<\/section>/);
+  });
+
+  test('is too slow to blend says so', slow, async () => {
+    const page = await openPage(browser.context, `${hub.page}?panel=1&mode=blend`);
+    await untilAllShown(page, 1);
+    await until(
+      'a note exactly while it does not blend',
+      async () => [await panelText(page), (await stateOf(page)).quality.mixes],
+      ([text, mixes]) => /too slow to blend/.test(text) === !mixes,
+    );
+    await page.close();
+  });
+});
+
+describe('a room for which one needs a token', () => {
+  let hub, browser;
+  const data = mkdtempSync(join(tmpdir(), 'roomcast-closed-'));
+  before(async () => {
+    hub = await startHub(0, { data });
+    const token = await adminsToken(data);
+    const headers = { Authorization: `Bearer ${token}` };
+    await fetch(`${hub.page}api/v1/rooms`, { method: 'POST', headers, body: '{"name":"closed","view":"token"}' });
+    browser = await startBrowser({ width: 500, height: 600 });
+  }, slow);
+  after(async () => {
+    await browser?.end();
+    await hub?.end();
+    rmSync(data, { recursive: true, force: true });
+  }, slow);
+
+  test('asks for it in the message, and does not try again by itself', slow, async () => {
+    const page = await openPage(browser.context, `${hub.page}?panel=0&room=closed`);
+    const said = await until(
+      'the refusal',
+      () => panelText(page),
+      (text) => /requires a token/.test(text),
+    );
+    assert.doesNotMatch(said, /Trying again/);
+    assert.ok(await page.getByLabel('Token').isVisible(), 'although the panel is closed');
+    assert.ok(await page.getByRole('button', { name: 'Try again' }).isVisible());
+    await page.close();
+  });
+
+  test('whose hub is gone is announced once, not with every second or every try', slow, async () => {
+    const page = await openPage(browser.context, `${hub.page}?panel=1&room=room`);
+    const says = (pattern) => until(`it says ${pattern}`, () => panelText(page), (text) => pattern.test(text));
+    await says(/live/);
+    await page.evaluate(() => {
+      window.announced = [];
+      for (const region of document.querySelectorAll('[aria-live], [role=status], [role=alert]')) {
+        const heard = () => window.announced.push(region.textContent);
+        new MutationObserver(heard).observe(region, { childList: true, characterData: true, subtree: true });
+      }
+    });
+    await hub.end();
+    await says(/does not answer. Trying again in [345] s/);
+    const before = await page.evaluate(() => window.announced.length);
+    await says(/Trying again in 2 s/);
+    await says(/Trying again in [45] s/);
+    const announced = await page.evaluate(() => window.announced);
+    assert.ok(announced.some((text) => /hub/.test(text)), 'it is announced');
+    assert.deepEqual(announced.slice(before), []);
     await page.close();
   });
 });

@@ -308,6 +308,8 @@ class Page {
   }
 
   private refreshWords(): void {
+    const room = this.stage?.room;
+    if (room) this.panel.showDrawing({ mode: room.drawMode, mixes: room.isMixing, ...room.sensorCounts });
     this.panel.refresh();
     this.progress.refresh();
   }

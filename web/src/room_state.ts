@@ -85,7 +85,9 @@ export class RoomState {
       this.complete.clear();
       this.firstDecodedAt_ms = this.firstShownAt_ms = undefined;
     }
-    this.connection = state;
+    // A page that tries again is still without its hub for the same reason.
+    const sentence = state.phase === 'connecting' ? this.connection.sentence : state.sentence;
+    this.connection = { ...state, sentence };
   }
 
   setStatus(status: Status): void {

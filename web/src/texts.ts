@@ -165,6 +165,11 @@ export const panelTexts = {
     mesh: { label: 'Surfaces', title: 'The nearest surface of any sensor' },
     points: { label: 'Points', title: 'A square for each reading' },
   },
+  drawing: {
+    notBlended: 'This machine is too slow to blend them: the nearest surface is drawn.',
+    someSensors: (shown: number, wanted: number) => `${shown} of ${wanted} sensors are drawn, those that see most from here.`,
+  },
+  tryAgain: 'Try again',
   theme: 'Colours',
   themes: { auto: 'Auto', dark: 'Dark', light: 'Light' },
   moving: 'Moving around',
@@ -217,7 +222,8 @@ export const problemTexts = {
   noSensors: (hub: string) => `No sensor is in the room yet. To add one: roomcast sensor --source sim --hub ${hub}`,
   allGone: 'All sensors are gone; the last pictures are shown in grey.',
   gone: (name: string) => `Sensor ${name} is gone; its last picture is shown in grey.`,
-  silent: (name: string, seconds: number) => `Sensor ${name} has been silent for ${seconds} s.`,
+  silent: (name: string) => `Sensor ${name} is silent.`,
+  silentFor: (seconds: number) => `Its last picture is ${seconds} s old.`,
   sensor: (name: string, problem: string) => `Sensor ${name}: ${problem}`,
   moved: (name: string, why: string) =>
     `Sensor ${name} was moved: it is shown where it was until it is aligned again.${why}`,

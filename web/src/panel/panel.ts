@@ -6,14 +6,16 @@ import { themes, type Theme } from '../look';
 import type { RoomState } from '../room_state';
 import { consoleTexts, headsetTexts, panelTexts as texts } from '../texts';
 import { drawModes, type DrawMode } from '../view/draw_mode';
+import { drawingNote, type Drawing } from './drawing_note';
 import { element, setText } from './element';
 import { labelled, submit, textField } from './form';
 import { clockError, megabytes, milliseconds, perSecond } from './format';
 import { HeadsetControls, type HeadsetControlEvents } from './headset_controls';
-import { problems, type Problem } from './problems';
+import { problems } from './problems';
 import { RadioGroup } from './radio_group';
 import { RoomList } from './room_list';
 import { SensorList } from './sensor_list';
+import { Troubles } from './troubles';
 import './panel.css';
 
 const longestToken = 4096;
@@ -51,7 +53,12 @@ export class Panel {
   private readonly console = element('button', { type: 'button', class: 'console', hidden: '' }, consoleTexts.open);
   private readonly toggle = element('button', { type: 'button', class: 'toggle', 'aria-controls': 'panel-body' });
   private readonly body = element('div', { id: 'panel-body', class: 'body' });
-  private readonly troubles = element('ul', { class: 'troubles', 'aria-live': 'polite', 'aria-label': texts.wrong });
+  private readonly troubles = new Troubles();
+  private readonly ways = element('div', { class: 'ways' });
+  private readonly again = element('button', { type: 'button', class: 'main' }, texts.tryAgain);
+  private readonly tokenForm = this.makeTokenForm();
+  private readonly signIn = element('details', { class: 'help' }, element('summary', {}, texts.running), this.tokenForm);
+  private readonly drawing = element('p', { class: 'drawing', hidden: '' });
   private readonly sensors: SensorList;
   private readonly people = element('ul', { class: 'people' });
   private readonly rooms = new RoomList();
@@ -136,7 +143,8 @@ export class Panel {
   refresh(): void {
     const { state } = this;
     const { connection, status } = state;
-    const phase = state.broken ? 'broken' : connection.phase;
+    const isTryingAgain = connection.phase === 'connecting' && connection.sentence !== '';
+    const phase = state.broken ? 'broken' : isTryingAgain ? 'waiting' : connection.phase;
     const live = phase === 'joined';
     setText(this.title, state.welcome?.room || 'roomcast');
     this.root.dataset.phase = phase;
@@ -146,7 +154,24 @@ export class Panel {
     const latency = `${milliseconds(state.latency_ms)} ${clockError(status?.clock?.error_ms)}`.trim();
     setText(this.latency.value, live ? latency : '–');
     this.sensors.refresh();
-    this.showProblems(problems({ ...this.known(), hubAddress: this.hubAddress }, state.roomTime_ms(), Date.now()));
+    this.troubles.show(problems({ ...this.known(), hubAddress: this.hubAddress }, state.roomTime_ms(), Date.now()));
+    this.showWays();
+  }
+
+  showDrawing(drawing: Drawing): void {
+    setText(this.drawing, drawingNote(drawing));
+    this.drawing.hidden = this.drawing.textContent === '';
+  }
+
+  /** What the user can do about the end of the connection: give a token where one is needed, or try again. */
+  private showWays(): void {
+    const { broken, connection } = this.state;
+    const needsToken = !broken && connection.phase === 'waiting' && connection.needsToken;
+    const home = needsToken ? this.ways : this.signIn;
+    if (this.tokenForm.parentElement !== home) home.append(this.tokenForm);
+    this.again.hidden = !broken && !connection.ended && !connection.reload;
+    this.signIn.hidden = needsToken;
+    this.ways.hidden = this.again.hidden && !needsToken;
   }
 
   private fill(): void {
@@ -157,28 +182,21 @@ export class Panel {
       section(texts.sensors, this.sensors.root),
       section(texts.people, this.people),
       this.roomChoice,
-      section(texts.drawnAs, this.modes.root, this.wayBack()),
+      section(texts.drawnAs, this.modes.root, this.drawing, this.wayBack()),
       section(headsetTexts.title, this.headset.root),
       section(texts.theme, this.themes.root),
       this.help(),
-      this.signIn(),
+      this.signIn,
     );
-    this.root.append(element('header', {}, this.dot, names, this.console, this.toggle), this.troubles, this.body);
+    this.again.addEventListener('click', () => location.reload());
+    this.ways.append(this.again);
+    const header = element('header', {}, this.dot, names, this.console, this.toggle);
+    this.root.append(header, this.troubles.root, this.ways, this.body, this.troubles.announced);
   }
 
   private known() {
     const { broken, connection, roster, status } = this.state;
     return { broken, connection, roster, status };
-  }
-
-  private showProblems(found: Problem[]): void {
-    const key = JSON.stringify(found);
-    if (this.troubles.dataset.key === key) return;
-    this.troubles.dataset.key = key;
-    this.troubles.hidden = found.length === 0;
-    this.troubles.replaceChildren(
-      ...found.map(({ severity, sentence }) => element('li', { class: severity }, sentence)),
-    );
   }
 
   private help(): HTMLElement {
@@ -193,7 +211,7 @@ export class Panel {
     return reset;
   }
 
-  private signIn(): HTMLElement {
+  private makeTokenForm(): HTMLElement {
     const { signIn, signInHelp, enter } = consoleTexts.access;
     const token = textField(longestToken);
     const said = element('p', { role: 'status' });
@@ -202,6 +220,6 @@ export class Panel {
       event.preventDefault();
       if (token.value.trim() !== '') setText(said, this.events.tokenGiven(token.value.trim()));
     });
-    return element('details', { class: 'help' }, element('summary', {}, texts.running), form);
+    return form;
   }
 }

@@ -44,7 +44,15 @@ describe('the list of problems', () => {
 
   test('has a hub that is gone, with the time to the next try', () => {
     const connection = { ...joined, phase: 'waiting' as const, sentence: 'The hub has stopped.', retryAt_ms: 2900 };
-    expect(sentences(known({ connection }))).toEqual(['The hub has stopped. Trying again in 3 s.']);
+    expect(problems(known({ connection }), 0, 0)).toEqual([
+      { severity: 'error', sentence: 'The hub has stopped.', count: 'Trying again in 3 s.' },
+    ]);
+    expect(problems(known({ connection: { ...connection, phase: 'connecting' } }), 0, 0)).toEqual([
+      { severity: 'error', sentence: 'The hub has stopped.', count: 'Trying again.' },
+    ]);
+    expect(problems(known({ connection: { ...connection, retryAt_ms: undefined, ended: true } }), 0, 0)).toEqual([
+      { severity: 'error', sentence: 'The hub has stopped.' },
+    ]);
     expect(sentences(known({ connection: { ...connection, reload: true } }))).toEqual(['The hub has stopped.']);
   });
 
@@ -60,7 +68,12 @@ describe('the list of problems', () => {
 
   test('has a sensor that has been silent for more than three seconds', () => {
     expect(sentences(known({}), 12_900)).toEqual([]);
-    expect(sentences(known({}), 15_000)).toEqual(['Sensor s0 has been silent for 5 s.']);
+    expect(problems(known({}), 15_000, 0)).toEqual([
+      { severity: 'error', sentence: 'Sensor s0 is silent.', count: 'Its last picture is 5 s old.' },
+    ]);
+    const opened = { ...joined, openedAt_ms: 50_000 };
+    expect(problems(known({ connection: opened }), 15_000, 55_000)).toEqual([]);
+    expect(problems(known({ connection: opened }), 15_000, 65_000)).toHaveLength(1);
     expect(sentences(known({}, [{ ...s0, fps: 0.5 }]), 15_000)).toEqual([]);
   });
 

@@ -15,8 +15,10 @@ export interface Known {
 export interface Problem {
   severity: 'error' | 'notice';
   sentence: string;
+  count?: string; // a sentence with a number that changes by the second: not to be announced again and again
 }
 
+const loading_ms = 10_000; // from asking for the connection; a first picture may be old when it has been decoded
 const silent_ms = 3000;
 const silentFrames = 3; // of a slow sensor: this many frames must be overdue
 
@@ -24,15 +26,18 @@ const silentFrames = 3; // of a slow sensor: this many frames must be overdue
 export function problems(known: Known, room_ms: number | undefined, date_ms: number): Problem[] {
   if (known.broken) return [error(known.broken)];
   const { connection } = known;
-  if (connection.phase === 'waiting') return [error(`${connection.sentence} ${whatNext(connection, date_ms)}`.trim())];
+  if (connection.phase === 'waiting') return [error(connection.sentence, whatNext(connection, date_ms))];
+  if (connection.phase === 'connecting' && connection.sentence) return [error(connection.sentence, texts.trying)];
   if (connection.phase === 'connecting' || !known.roster) return [notice(texts.connecting(known.hubAddress))];
-  const found = sensorProblems(known.roster, known.status?.sensors ?? [], room_ms, known.hubAddress);
+  const isLoading = connection.openedAt_ms !== undefined && date_ms - connection.openedAt_ms < loading_ms;
+  const now_ms = isLoading ? undefined : room_ms;
+  const found = sensorProblems(known.roster, known.status?.sensors ?? [], now_ms, known.hubAddress);
   if (known.status?.colorProblem) found.push(notice(known.status.colorProblem));
   return found;
 }
 
-function error(sentence: string): Problem {
-  return { severity: 'error', sentence };
+function error(sentence: string, count = ''): Problem {
+  return { severity: 'error', sentence, ...(count && { count }) };
 }
 
 function notice(sentence: string): Problem {
@@ -62,7 +67,7 @@ function sensorProblems(
     const found: Problem[] = [];
     const silence_ms = silenceOf(counts, room_ms);
     if (silence_ms > Math.max(silent_ms, (1000 * silentFrames) / sensor.fps))
-      found.push(error(texts.silent(sensor.name, Math.round(silence_ms / 1000))));
+      found.push(error(texts.silent(sensor.name), texts.silentFor(Math.round(silence_ms / 1000))));
     if (counts?.problem) found.push(error(texts.sensor(sensor.name, counts.problem)));
     const { state, note } = sensor.pose;
     if (state === 'moved') {

@@ -56,6 +56,12 @@ export class RoomScene {
     return this.mode === 'blend' && this.mayMix;
   }
 
+  /** Sensors that are drawn, and those that would be if the machine were faster. */
+  get sensorCounts(): { shown: number; wanted: number } {
+    const wanted = [...this.placed.values()].filter((placed) => placed.wanted && placed.pictures.hasPicture);
+    return { shown: wanted.filter(({ chosen }) => chosen).length, wanted: wanted.length };
+  }
+
   private applyModeToAll(): void {
     this.placed.forEach((placed) => this.applyMode(placed));
     if (this.blend) this.blend.picture.visible = this.isMixing;
