@@ -54,6 +54,7 @@ export class Tabs {
     button.addEventListener('keydown', (event) => this.keyDown(event));
     content.id = `tabpanel-${id}`;
     content.setAttribute('role', 'tabpanel');
+    content.tabIndex = 0; // it scrolls, and some have no control that could be reached
     content.setAttribute('aria-labelledby', `tab-${id}`);
     this.buttons.set(id, button);
     this.list.append(button);

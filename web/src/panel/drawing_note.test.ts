@@ -7,7 +7,7 @@ const all = { mode: 'blend', mixes: true, shown: 4, wanted: 4 } as const;
 test('nothing is said while everything is drawn as chosen', () => {
   expect(drawingNote(all)).toBe('');
   expect(drawingNote({ ...all, mode: 'mesh', mixes: false })).toBe('');
-  expect(drawingNote({ ...all, shown: 0, wanted: 0 })).toBe('');
+  expect(drawingNote({ ...all, mixes: false, shown: 0, wanted: 0 })).toBe('');
 });
 
 test('surfaces that are not blended, and sensors that are left out, are mentioned', () => {

@@ -15,7 +15,7 @@ export interface Drawing {
 /** Empty when everything is drawn as chosen. */
 export function drawingNote({ mode, mixes, shown, wanted }: Drawing): string {
   const notes = [];
-  if (mode === 'blend' && !mixes) notes.push(texts.notBlended);
+  if (mode === 'blend' && !mixes && wanted > 0) notes.push(texts.notBlended);
   if (shown < wanted) notes.push(texts.someSensors(shown, wanted));
   return notes.join(' ');
 }

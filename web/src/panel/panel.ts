@@ -55,7 +55,7 @@ export class Panel {
   private readonly body = element('div', { id: 'panel-body', class: 'body' });
   private readonly troubles = new Troubles();
   private readonly ways = element('div', { class: 'ways' });
-  private readonly again = element('button', { type: 'button', class: 'main' }, texts.tryAgain);
+  private readonly again = element('button', { type: 'button', class: 'plain' }, texts.tryAgain);
   private readonly tokenForm = this.makeTokenForm();
   private readonly signIn = element('details', { class: 'help' }, element('summary', {}, texts.running), this.tokenForm);
   private readonly drawing = element('p', { class: 'drawing', hidden: '' });
@@ -167,8 +167,8 @@ export class Panel {
   private showWays(): void {
     const { broken, connection } = this.state;
     const needsToken = !broken && connection.phase === 'waiting' && connection.needsToken;
-    const home = needsToken ? this.ways : this.signIn;
-    if (this.tokenForm.parentElement !== home) home.append(this.tokenForm);
+    if (needsToken && this.signIn.contains(this.tokenForm)) this.ways.prepend(this.tokenForm);
+    if (!needsToken && this.ways.contains(this.tokenForm)) this.signIn.append(this.tokenForm);
     this.again.hidden = !broken && !connection.ended && !connection.reload;
     this.signIn.hidden = needsToken;
     this.ways.hidden = this.again.hidden && !needsToken;
