@@ -100,6 +100,25 @@ describe('the list of people', () => {
   });
 });
 
+describe('the list of rooms', () => {
+  test('keeps the focus on a link while others come and counts change', slow, async () => {
+    page = await openSourcePage(browser.context, 'http://rooms.test');
+    await page.evaluate(async () => {
+      const { RoomList } = await import('/panel/room_list');
+      const list = new RoomList();
+      document.body.append(list.root);
+      const room = (name, viewers) => ({ name, title: '', sensors: 1, viewers, view: 'anyone' });
+      list.show([room('a', 1), room('b', 1)], 'a');
+      list.root.querySelector('a[href="?room=b"]').focus();
+      list.show([room('0', 0), room('a', 1), room('b', 2)], 'b');
+    });
+    assert.equal(await focused(), 'b');
+    assert.match(await page.locator('ul').innerText(), /b\s*1 sensor, 2 people/);
+    assert.equal(await page.locator('[aria-current]').innerText(), 'b');
+    await page.close();
+  });
+});
+
 describe('moving a sensor by hand', () => {
   before(async () => {
     page = await openSourcePage(browser.context, 'http://nudge.test');
