@@ -62,6 +62,17 @@ describe('the page', () => {
     await page.close();
   });
 
+  test('is asked for again at each visit, its styles and decoder never', slow, async () => {
+    const cachingOf = async (url) => (await fetch(url)).headers.get('cache-control');
+    const hashed = asked.filter(({ pathname }) => pathname.startsWith('/assets/'));
+    const lasting = hashed.filter(({ pathname }) => !pathname.endsWith('.js'));
+    assert.ok(lasting.length >= 2, 'style, decoder');
+    for (const url of lasting) assert.match(await cachingOf(url), /max-age=31536000, immutable/);
+    // A worker's policy comes with its script.
+    const scripts = hashed.filter(({ pathname }) => pathname.endsWith('.js'));
+    for (const url of [hub.page, ...scripts]) assert.equal(await cachingOf(url), 'no-cache');
+  });
+
   test('loads no more than 600 KB', slow, async (t) => {
     const files = [...new Set(asked.filter(({ protocol }) => protocol === 'http:').map(String))];
     const sizes = await Promise.all(files.map(bytesOnTheWire));
