@@ -263,6 +263,19 @@ TEST(House, notices_a_use_of_the_time_of_day) {
       asks_the_time_of_day({"a.cpp", "const auto now = std::chrono::steady_clock::now();"}));
 }
 
+/// What throws or goes unnoticed when it cannot be written: cli/print.h is for that.
+bool prints_past_the_one_place(const SourceFile& file) {
+  return file.text.find("fmt::print(") != std::string::npos ||
+         file.text.find("std::cerr") != std::string::npos;
+}
+
+TEST(House, one_place_writes_to_people) {
+  for (const SourceFile& file : read_cpp_files(ROOMCAST_SOURCE_DIR, {"roomcast"}))
+    EXPECT_FALSE(prints_past_the_one_place(file)) << file.path;
+  EXPECT_TRUE(prints_past_the_one_place({"a.cpp", "  fmt::print(stderr, line);"}));
+  EXPECT_FALSE(prints_past_the_one_place({"a.cpp", "  print_err(line);"}));
+}
+
 TEST(House, notices_a_missing_licence) {
   EXPECT_FALSE(has_licence({"roomcast/core/example.h", "#pragma once\n"}));
 }

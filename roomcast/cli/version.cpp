@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "roomcast/cli/commit.h"  // generated
 #include "roomcast/wire/frame_header.h"
-#include "roomcast_commit.h"
 
 namespace roomcast::cli {
 
