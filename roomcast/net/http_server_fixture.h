@@ -20,6 +20,7 @@ class HttpServerTest : public LoopbackTest {
   HttpServerOptions options() {
     HttpServerOptions options;
     options.port = 0;
+    options.names.hosts = {"x"};  // of request()
     options.on_get = [this](std::string_view path) { return answer(path); };
     options.on_websocket = [this](std::shared_ptr<WebSocketConnection> connection, std::size_t) {
       connections_.push_back(std::move(connection));

