@@ -64,7 +64,7 @@ describe('the choice of a hub', () => {
 
 describe('the socket of a hub', () => {
   test('is at its address', () => {
-    expect(socketOf('wss://B/ws#sha256=00')).toBe('wss://b:7600/ws');
+    expect(socketOf('wss://B/ws#sha256=00')).toBe('wss://b:443/ws');
     expect(socketOf('https://b:443/')).toBe('wss://b:443/ws');
     expect(socketOf('ws://[::1]:7601/hub/ws')).toBe('ws://[::1]:7601/hub/ws');
   });

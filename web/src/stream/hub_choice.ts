@@ -4,6 +4,7 @@
 // row, there is a delay. As roomcast/client/hub_choice.h. Pure.
 
 const defaultPort = 7600;
+const defaultTlsPort = 443; // of every wss:// and https:// address
 
 export class HubChoice {
   private others: string[] = [];
@@ -72,11 +73,12 @@ export class HubChoice {
   }
 }
 
-/** "wss://b/ws#sha256=..." -> "wss://b:7600/ws"; undefined for anything but a hub's address. */
+/** "wss://b/ws#sha256=..." -> "wss://b:443/ws"; undefined for anything but a hub's address. */
 export function socketOf(hubUrl: string): string | undefined {
   const found = /^(wss?|https?):\/\/(\[[0-9a-f:.]+\]|[a-z0-9.-]+)(:\d{1,5})?(\/[^#?\s]*)?(#.*)?$/i.exec(hubUrl);
   if (!found) return undefined;
   const [, scheme, host, port, path] = found;
   const isSafe = /^(wss|https)$/i.test(scheme!);
-  return `${isSafe ? 'wss' : 'ws'}://${host!.toLowerCase()}${port ?? `:${defaultPort}`}${path && path !== '/' ? path : '/ws'}`;
+  const usualPort = `:${isSafe ? defaultTlsPort : defaultPort}`;
+  return `${isSafe ? 'wss' : 'ws'}://${host!.toLowerCase()}${port ?? usualPort}${path && path !== '/' ? path : '/ws'}`;
 }
