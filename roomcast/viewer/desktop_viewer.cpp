@@ -46,7 +46,8 @@ bool DesktopViewer::step() {
   if ((had_input || state_.must_show(now())) && may_present(now())) {
     draw_window();
     display_.window().present();
-    state_.shown(now());
+    last_present_ = now();
+    state_.shown(last_present_);
   } else if (!display_.headset_runs()) {
     SDL_WaitEventTimeout(nullptr, kIdle_ms);
   }
@@ -55,11 +56,9 @@ bool DesktopViewer::step() {
 }
 
 /// The screen must not slow down a headset, which is faster and waits in draw_headset().
-bool DesktopViewer::may_present(HostTime at) {
+bool DesktopViewer::may_present(HostTime at) const {
   if (!display_.headset_runs()) return true;
-  if (display_.window().is_hidden() || at - last_present_ < kPresentBesideHeadset) return false;
-  last_present_ = at;
-  return true;
+  return !display_.window().is_hidden() && at - last_present_ >= kPresentBesideHeadset;
 }
 
 bool DesktopViewer::take_events() {
@@ -149,7 +148,8 @@ void DesktopViewer::draw(HostTime at) {
     if (was_seen || !drawn) state_.redraw();
     if (!drawn) return state_.notify(display_.close_headset(drawn.error(), at), at);
   }
-  const bool is_seen = !display_.window().is_hidden() || capture_.is_recording();
+  const bool is_shown = !display_.window().is_hidden() || capture_.is_recording();
+  const bool is_seen = is_shown && may_present(at);
   if (!is_seen || !state_.must_draw(display_.window().size(), input_.is_pointing())) return;
   state_.point_at(pointed_at());
   const auto drawn = display_.draw_room(state_, at);

@@ -66,7 +66,7 @@ class DesktopViewer {
   [[nodiscard]] std::optional<Eigen::Vector3d> pointed_at() const;
   void take_drawn(const DrawnPicture& picture);
   void draw_window();
-  [[nodiscard]] bool may_present(HostTime now);
+  [[nodiscard]] bool may_present(HostTime now) const;
   // Screenshots and videos.
   [[nodiscard]] bool may_capture();
   void save_screenshot();
