@@ -28,6 +28,8 @@ nlohmann::json json_of(const alignment::SensorReport& sensor) {
           {"expected_error_deg", sensor.expected_error_deg},
           {"color_shift_px",
            {sensor.correction.color_shift_px.x(), sensor.correction.color_shift_px.y()}},
+          {"depth_scale", sensor.depth_scale},
+          {"depth_scale_standard_error", sensor.depth_scale_standard_error},
           {"overlap", sensor.overlap},
           {"inliers", sensor.inliers},
           {"residual_mm", number_if(sensor.overlap > 0, sensor.residual_mm)},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/cli/recorded_bundles.h"
 
+#include <chrono>
 #include <memory>
 #include <utility>
 
@@ -28,7 +29,9 @@ Result<RecordedBundle> read_sensor(const std::string& spec,
     const auto more = (*source)->next(frame, {});
     if (!more) return more.error();
     if (!*more) break;
-    const auto added = capture.add(frame.depth_mm, frame.color);
+    const auto added =
+        capture.add(frame.depth_mm, frame.color,
+                    std::chrono::duration<double>(frame.capture_time.time_since_epoch()).count());
     if (!added) return added.error();
     enough = *added;
   }

@@ -20,7 +20,8 @@ BundleCapture::BundleCapture(std::string name, const SensorCalibration& calibrat
                              const BundleCaptureOptions& options)
     : name_(std::move(name)), calibration_(calibration), options_(options) {}
 
-Result<bool> BundleCapture::add(const DepthImage& depth_mm, const ColorImage& color) {
+Result<bool> BundleCapture::add(const DepthImage& depth_mm, const ColorImage& color,
+                                std::optional<double> time_s) {
   if (depth_mm_.size() == options_.frames) return true;
   if (!same_size(depth_mm.view(), calibration_.depth) ||
       (!color.empty() && !same_size(color.view(), calibration_.color))) {
@@ -29,6 +30,7 @@ Result<bool> BundleCapture::add(const DepthImage& depth_mm, const ColorImage& co
   }
   if (!color.empty()) add_color(color);
   depth_mm_.push_back(depth_mm);
+  if (time_s) times_s_.push_back(*time_s);
   return depth_mm_.size() == options_.frames;
 }
 
@@ -51,6 +53,8 @@ Result<CalibrationBundle> BundleCapture::finish() const {
   SteadyDepth steady = steady_depth(depth_mm_, options_.steady_depth);
   bundle.depth_mm = std::move(steady.depth_mm);
   bundle.moving = std::move(steady.moving);
+  if (times_s_.size() == depth_mm_.size())
+    bundle.instants = depth_instants(depth_mm_, times_s_, options_.instants);
   if (!colors_.empty()) bundle.color = steady_color(colors_);
   if (const Status status = check(bundle, options_.usable); !status) return status.error();
   return bundle;

@@ -7,9 +7,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
+#include "roomcast/alignment/bundle/depth_instants.h"
 #include "roomcast/core/image.h"
 #include "roomcast/core/option_fields.h"
 #include "roomcast/core/result.h"
@@ -23,6 +25,7 @@ struct CalibrationBundle {
   DepthImage depth_mm;  // averaged over time; 0 where no steady reading exists
   ColorImage color;     // averaged over time
   MaskImage moving;     // depth grid; 255 at pixels that moved. Empty if nothing moved
+  std::vector<DepthInstant> instants;  // at times that the sensors share; may be empty
   std::optional<Eigen::Vector3d>
       up;  // against gravity, unit, depth frame: where the sensor has an IMU
 };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/alignment/feature/sensor_view.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "roomcast/alignment/feature/picture_features.h"
@@ -12,6 +15,27 @@ bool sees_one_plane_only(const std::vector<Plane>& planes, std::size_t samples,
                          double max_on_one_plane) {
   return planes.size() == 1 && static_cast<double>(planes[0].points_m.size()) >
                                    max_on_one_plane * static_cast<double>(samples);
+}
+
+Image<Eigen::Vector2f> block_rays(const CameraIntrinsics& camera) {
+  const Image<Eigen::Vector2f> rays = ray_table(camera);
+  Image<Eigen::Vector2f> of_blocks(camera.width / kInstantBlock, camera.height / kInstantBlock,
+                                   Eigen::Vector2f::Zero());
+  for (int y = 0; y < of_blocks.height(); ++y) {
+    for (int x = 0; x < of_blocks.width(); ++x)
+      of_blocks.at(x, y) =
+          rays.at(kInstantBlock * x + kInstantBlock / 2, kInstantBlock * y + kInstantBlock / 2);
+  }
+  return of_blocks;
+}
+
+void multiply(DepthImage& depth_mm, double factor) {
+  for (int y = 0; y < depth_mm.height(); ++y) {
+    for (int x = 0; x < depth_mm.width(); ++x) {
+      const double scaled = std::round(factor * depth_mm.at(x, y));
+      depth_mm.at(x, y) = static_cast<std::uint16_t>(std::clamp(scaled, 0.0, 65535.0));
+    }
+  }
 }
 
 }  // namespace
@@ -42,9 +66,30 @@ Result<SensorView> make_sensor_view(const CalibrationBundle& bundle,
   FeatureSet on_planes = rectified_features(picture, surface, planes, options.rectified_features);
   compute_ambiguity(in_picture, options.repeating);
   compute_ambiguity(on_planes, options.repeating);
-  return SensorView{bundle.name,           std::move(surface),   std::move(picture),
-                    std::move(texture),    std::move(planes),    std::move(floor),
-                    std::move(in_picture), std::move(on_planes), options};
+  return SensorView{
+      bundle.name,
+      std::move(surface),
+      std::move(picture),
+      std::move(texture),
+      std::move(planes),
+      std::move(floor),
+      std::move(in_picture),
+      std::move(on_planes),
+      bundle.instants,
+      block_rays(bundle.calibration.depth),
+      options,
+      bundle.instants.empty() ? nullptr : std::make_shared<const CalibrationBundle>(bundle)};
+}
+
+Result<SensorView> with_depth_scale(const SensorView& view, double factor) {
+  if (!view.bundle) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "the readings of sensor " + view.name + " are no longer known"};
+  }
+  CalibrationBundle bundle = *view.bundle;
+  multiply(bundle.depth_mm, factor);
+  for (DepthInstant& instant : bundle.instants) multiply(instant.depth_mm, factor);
+  return make_sensor_view(bundle, view.options);
 }
 
 }  // namespace roomcast::alignment

@@ -4,6 +4,7 @@
 // use two SensorViews. Thread-safe (immutable after being made).
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,12 +66,19 @@ struct SensorView {
   std::vector<Plane> planes;
   std::optional<Plane> floor;
   FeatureSet picture_features, rectified_features;
-  SensorViewOptions options = {};  // with which it was made
+  std::vector<DepthInstant> instants;      // of the bundle
+  Image<Eigen::Vector2f> block_rays = {};  // through the middles of the instants' blocks
+  SensorViewOptions options = {};          // with which it was made
+  std::shared_ptr<const CalibrationBundle> bundle = nullptr;  // of which, if it has instants
 };
 
 /// Errors: those of `check`; kInvalidArgument when the sensor sees too little smooth surface or
 /// only one plane.
 [[nodiscard]] Result<SensorView> make_sensor_view(const CalibrationBundle& bundle,
                                                   const SensorViewOptions& options = {});
+
+/// The view as it would be with all depth multiplied. Errors as above; kInvalidArgument: the view
+/// does not have its bundle.
+[[nodiscard]] Result<SensorView> with_depth_scale(const SensorView& view, double factor);
 
 }  // namespace roomcast::alignment

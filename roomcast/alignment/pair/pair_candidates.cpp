@@ -17,6 +17,28 @@ double photo_score(const PhotoConsistency& photo, const EvidenceOptions& options
   return options.per_texture * photo.textured * (photo.correlation - options.neutral_correlation);
 }
 
+bool contradicts_motion(const MovingConsistency& moving, const EvidenceOptions& options) {
+  return moving.judged() >= options.enough_moving &&
+         moving.conflict() > options.max_moving_conflict;
+}
+
+double agreement_of(const MovingConsistency& moving, const EvidenceOptions& options) {
+  const double enough = std::min(1.0, moving.judged() / options.enough_moving);
+  return enough * (1 - 2 * moving.conflict());
+}
+
+bool is_unexplained(const MovingConsistency& moving, const EvidenceOptions& options) {
+  return moving.possible >= options.enough_moving &&
+         moving.judged() < options.max_explained * moving.possible;
+}
+
+/// Positive where what moves agrees, negative where it contradicts or is not explained.
+double moving_score(const PoseEvidence& evidence, const EvidenceOptions& options) {
+  double score = options.max_moving * evidence.moving_agreement;
+  if (evidence.leaves_motion_unexplained) score -= options.unexplained_moving;
+  return score;
+}
+
 double score_of(const PoseEvidence& evidence, const EvidenceOptions& options) {
   const FreeSpaceCheck& space = evidence.space;
   const PhotoConsistency& photo = evidence.photo;
@@ -26,9 +48,12 @@ double score_of(const PoseEvidence& evidence, const EvidenceOptions& options) {
                              options.forgiven_conflict * (space.consistent + space.violating));
   score -= options.per_solid_block * static_cast<double>(evidence.solid.violating);
   score += std::clamp(photo_score(photo, options), -options.max_photo, options.max_photo);
-  if (violates_space(space, options)) score = std::min(score, 0.0) + options.refuted;
-  const bool looks_different =
-      photo.textured > options.min_textured && photo.correlation < options.neutral_correlation;
+  score += moving_score(evidence, options);
+  if (violates_space(space, options) || contradicts_motion(evidence.moving, options))
+    score = std::min(score, 0.0) + options.refuted;
+  const bool looks_different = evidence.moving_agreement < options.moving_agrees &&
+                               photo.textured > options.min_textured &&
+                               photo.correlation < options.neutral_correlation;
   return looks_different ? std::min(score, 0.0) : score;
 }
 
@@ -39,6 +64,7 @@ bool is_strong(const PoseEvidence& evidence, const EvidenceOptions& options) {
                                  evidence.matches.cells >= options.faint_cells &&
                                  evidence.score >= options.faint_score;
   return (evidence.matches.weight >= options.strong_support || faintly_supported) &&
+         !evidence.leaves_motion_unexplained &&
          evidence.space.consistent > options.strong_overlap &&
          evidence.space.conflict() <= options.max_conflict &&
          evidence.photo.correlation > options.strong_correlation &&
@@ -60,12 +86,17 @@ void PooledEvidence::add(const PoseEvidence& evidence) {
   textured += evidence.photo.textured;
   correlated += evidence.photo.textured * evidence.photo.correlation;
   cells += evidence.matches.cells;
+  moving += std::max(0.0, evidence.moving_agreement);
+  leaves_motion_unexplained |= evidence.leaves_motion_unexplained;
 }
 
 bool is_strong(const PooledEvidence& evidence, const EvidenceOptions& options) {
+  const double correlation = evidence.moving >= options.pooled_moving ? options.moving_correlation
+                                                                      : options.strong_correlation;
+  if (evidence.leaves_motion_unexplained && evidence.moving < options.moving_agrees) return false;
   return evidence.support >= options.faint_support && evidence.cells >= options.faint_cells &&
          evidence.score >= options.pooled_score && evidence.textured > options.strong_textured &&
-         evidence.correlated > options.strong_correlation * evidence.textured;
+         evidence.correlated > correlation * evidence.textured;
 }
 
 PairCandidates::PairCandidates(const SensorView& a, const SensorView& b,
@@ -77,6 +108,9 @@ PairCandidates::PairCandidates(const SensorView& a, const SensorView& b,
   if (!is_conclusive())
     rank(hypotheses_by_shape(a_->surface, b_->surface, options_.shapes, options_.support),
          ColorCalibration::kAsCalibrated);
+  // Always: the rivals of a pose that repeats elsewhere match no features.
+  rank(hypotheses_by_motion(*a_, *b_, options_.motion, options_.moving, options_.free_space),
+       ColorCalibration::kAsCalibrated);
   if (!has_plausible())
     rank(vote_for_poses(matches_, options_.coarse_voting, options_.support),
          ColorCalibration::kUncertain);
@@ -164,6 +198,9 @@ PoseEvidence PairCandidates::examine(const PairState& state) const {
     evidence.photo =
         check_photo_consistency(*a_, *b_, state, options_.photo_consistency, options_.reprojection);
   }
+  evidence.moving = check_moving(*a_, *b_, a_from_b, options_.moving);
+  evidence.moving_agreement = agreement_of(evidence.moving, options_.evidence);
+  evidence.leaves_motion_unexplained = is_unexplained(evidence.moving, options_.evidence);
   evidence.score = score_of(evidence, options_.evidence);
   return evidence;
 }

@@ -9,6 +9,8 @@
 #include "roomcast/alignment/pair/feature_matches.h"
 #include "roomcast/alignment/pair/free_space.h"
 #include "roomcast/alignment/pair/match_support.h"
+#include "roomcast/alignment/pair/moving_consistency.h"
+#include "roomcast/alignment/pair/moving_hypotheses.h"
 #include "roomcast/alignment/pair/photo_consistency.h"
 #include "roomcast/alignment/pair/planar_texture.h"
 #include "roomcast/alignment/pair/pose_difference.h"
@@ -34,11 +36,19 @@ struct EvidenceOptions {
   double per_solid_block = 1;  // that is in the way
   double per_texture = 1500, neutral_correlation = 0.35, max_photo = 60;
 
+  // Of what moves, agreeing or contradicting, with at least so many points; fewer count less. By
+  // hand: as much as all matches.
+  double max_moving = 60, enough_moving = 100;
+  // Both see something moving at the same time, and this pose says that neither sees what the other
+  // does: as if there were two people, and each hid from the other sensor. By hand.
+  double unexplained_moving = 30, max_explained = 0.1;
+
   // A pose beyond these limits is refuted, whatever its matches.
   double max_conflict = 0.12;  // the prototype's: poses wrong by a floor's period exceed it
   double negligible_violation = 0.01;
-  double refuted = -15;        // score, added
-  double min_textured = 0.01;  // for colours to refute
+  double max_moving_conflict = 0.5;  // of the points judged, if they are enough
+  double refuted = -15;              // score, added
+  double min_textured = 0.01;        // for colours to refute
 
   // A pose is strong with this support, or with less at large viewing angles, where few features
   // match well: then many places must agree, if only weakly, and all other evidence with them.
@@ -48,6 +58,10 @@ struct EvidenceOptions {
   double pooled_score = 40;  // of several pairs together (ADR 12)
   double strong_overlap = 0.03;
   double strong_correlation = 0.40, strong_textured = 0.004;
+  // Where what moves agrees in at least so many pairs, grazing views of common surfaces need to
+  // correlate no better than this.
+  double pooled_moving = 1.5, moving_correlation = 0.15;
+  double moving_agrees = 0.8;  // agreement above which it does, 1 at most
 
   double min_margin = kMinMargin;
   double pose_cost = kPoseCost;
@@ -63,6 +77,11 @@ struct EvidenceOptions {
     visit("max_photo", max_photo, Range{0, 1e6});
     visit("max_conflict", max_conflict, Range{0, 1});
     visit("negligible_violation", negligible_violation, Range{0, 1});
+    visit("max_moving", max_moving, Range{0, 1e6});
+    visit("enough_moving", enough_moving, Range{1, 1e6});
+    visit("unexplained_moving", unexplained_moving, Range{0, 1e6});
+    visit("max_explained", max_explained, Range{0, 1});
+    visit("max_moving_conflict", max_moving_conflict, Range{0, 1});
     visit("refuted", refuted, Range{-1e6, 0});
     visit("min_textured", min_textured, Range{0, 1});
     visit("strong_support", strong_support, Range{0, 1e6});
@@ -73,6 +92,9 @@ struct EvidenceOptions {
     visit("strong_overlap", strong_overlap, Range{0, 1});
     visit("strong_correlation", strong_correlation, Range{-1, 1});
     visit("strong_textured", strong_textured, Range{0, 1});
+    visit("pooled_moving", pooled_moving, Range{0, 1e6});
+    visit("moving_correlation", moving_correlation, Range{-1, 1});
+    visit("moving_agrees", moving_agrees, Range{0, 1});
     visit("min_margin", min_margin, Range{0, 1e6});
     visit("pose_cost", pose_cost, Range{0, 1e6});
   }
@@ -91,6 +113,7 @@ struct PairOptions {
                             .inlier_m = 0.1F,
                             .tolerance_m = 0.04F};
   ShapeHypothesisOptions shapes;
+  MovingHypothesisOptions motion;
   std::size_t max_candidates = 12;  // house3's true poses are among 12
   ResidualOptions residuals;
   PoseRefinementOptions refinement;
@@ -102,6 +125,7 @@ struct PairOptions {
   ReprojectionOptions reprojection;
   PhotoConsistencyOptions photo_consistency;
   PlanarTextureOptions planar_texture;
+  MovingConsistencyOptions moving;
   RivalOptions rivals;
   EvidenceOptions evidence;
 
@@ -111,6 +135,7 @@ struct PairOptions {
     visit("voting", voting);
     visit("coarse_voting", coarse_voting);
     visit("shapes", shapes);
+    visit("motion", motion);
     visit("max_candidates", max_candidates, Range{1, 1000});
     visit("residuals", residuals);
     visit("refinement", refinement);
@@ -122,6 +147,7 @@ struct PairOptions {
     visit("reprojection", reprojection);
     visit("photo_consistency", photo_consistency);
     visit("planar_texture", planar_texture);
+    visit("moving", moving);
     visit("rivals", rivals);
     visit("evidence", evidence);
   }
@@ -136,6 +162,11 @@ struct PoseEvidence {
   FreeSpaceCheck space;
   SolidConflict solid;
   PhotoConsistency photo;
+  MovingConsistency moving;
+  double moving_agreement = 0;  // -1 (contradicts) .. 1
+  /// Both see something moving at the same instants, and neither would see what the other does:
+  /// half turns and shifts that move a person out of the other's view.
+  bool leaves_motion_unexplained = false;
   double score = 0;  // total, in units of one unique match's weight; below 0: refuted
 };
 
@@ -151,6 +182,8 @@ struct PoseEvidence {
 /// Pooled evidence of several pairs for poses that follow from one another.
 struct PooledEvidence {
   double support = 0, score = 0, textured = 0, correlated = 0;
+  double moving = 0;                       // sum of agreements
+  bool leaves_motion_unexplained = false;  // of any pair
   int cells = 0;
 
   void add(const PoseEvidence& evidence);

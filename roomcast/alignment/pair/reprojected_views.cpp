@@ -26,6 +26,20 @@ std::optional<float> CorrectedView::grey_of(const TexturedPoint& point) const {
   return shift_px_.isZero() ? point.grey : grey_of(point.point_m);
 }
 
+namespace {
+
+/// Whether a point with this normal (0 = unknown), both in the other's frame, is on the side of its
+/// surface that the other camera sees. Both sides of a board are within the noise of each other,
+/// and bear different pictures.
+bool faces(const Eigen::Vector3f& point_m, const Eigen::Vector3f& normal,
+           const Eigen::Vector3f& seen_normal, const ReprojectionOptions& options) {
+  if (!(normal.squaredNorm() > 0)) return true;
+  if (!(-normal.dot(point_m.normalized()) > options.min_facing)) return false;
+  return !(seen_normal.squaredNorm() > 0) || normal.dot(seen_normal) > options.min_cosine;
+}
+
+}  // namespace
+
 ReprojectedViews reprojected_views(const CorrectedView& from, const CorrectedView& other,
                                    const RigidTransform& other_from_view,
                                    const ReprojectionOptions& options) {
@@ -44,6 +58,9 @@ ReprojectedViews reprojected_views(const CorrectedView& from, const CorrectedVie
     if (u < 0 || v < 0 || u >= surface.z_m.width() || v >= surface.z_m.height()) continue;
     const float z = surface.z_m.at(u, v);
     if (!(z > 0) || std::abs(z - in_other.z()) > same_reading_sigmas * noise.sigma_m(z)) continue;
+    const Eigen::Vector3f& normal =
+        from.view().surface.at.at(kTextureStep * point.x, kTextureStep * point.y).normal;
+    if (!faces(in_other, rotation * normal, surface.at.at(u, v).normal, options)) continue;
     const auto mine = from.grey_of(point), theirs = other.grey_of(in_other);
     if (!mine || !theirs) continue;
     const std::size_t i = out.place(point.x, point.y);

@@ -18,11 +18,16 @@ struct ReprojectionOptions {
   float same_reading_sigmas = 10;  // of the depth noise: both views see the same surface
   double noise_contrast = 6;       // squared grey levels, in the denominator of a correlation:
                                    // faint texture correlates by chance
+  // Of the same side of the same surface; by hand. Cosines: of its normal to the other's line of
+  // sight, and between the normals of both readings.
+  float min_facing = 0.1F, min_cosine = 0.3F;
 
   template <class Visit>
   void for_each_field(Visit visit) const {
     visit("same_reading_sigmas", same_reading_sigmas, Range{0, 1000});
     visit("noise_contrast", noise_contrast, Range{1e-6, 1e5});
+    visit("min_facing", min_facing, Range{-1, 1});
+    visit("min_cosine", min_cosine, Range{-1, 1});
   }
   [[nodiscard]] Status check() const { return check_fields("ReprojectionOptions", *this); }
 };

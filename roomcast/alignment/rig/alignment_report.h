@@ -36,6 +36,10 @@ struct SensorReport {
   double expected_error_mm = 0;   // of surfaces 2.5 m ahead
   double expected_error_deg = 0;  // of the direction
   SensorCorrection correction;    // estimated calibration error
+  /// Factor on the sensor's readings, assumed by its pose; 1 where it is not determined. Relative
+  /// to the sensors with factor 1.
+  double depth_scale = 1;
+  double depth_scale_standard_error = 0;  // 0 where it is not determined
   // Compared with other placed sensors:
   double overlap = 0;      // the largest of its pairs
   int inliers = 0;         // sum of its pairs

@@ -259,6 +259,17 @@ SensorReport report_of(std::size_t index, const std::string& name, const RigAnsw
 
 }  // namespace
 
+std::vector<DepthScale> rig_depth_scales(std::size_t sensors, std::span<const RigPair> pairs,
+                                         const RigOptions& options) {
+  const RigAnswer answer = answer_of(sensors, pairs, options);
+  std::vector<RigPair> of_placed;
+  for (const RigPair& pair : pairs) {
+    if (answer.placed[pair.first] && answer.placed[pair.second]) of_placed.push_back(pair);
+  }
+  return estimate_depth_scales(answer.refined, answer.selection.origin, of_placed,
+                               options.depth_scales, options.pair.residuals);
+}
+
 AlignmentReport place_rig(std::span<const SensorView* const> views, std::span<const RigPair> pairs,
                           const RigOptions& options) {
   AlignmentReport report;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "roomcast/alignment/rig/alignment_report.h"
+#include "roomcast/alignment/rig/depth_scales.h"
 #include "roomcast/alignment/rig/pose_selection.h"
 #include "roomcast/alignment/rig/refusal.h"
 #include "roomcast/alignment/rig/rig_check.h"
@@ -45,6 +46,7 @@ struct RigOptions {
   PoseSelectionOptions selection;
   RigRefinementOptions refinement;
   RigCheckOptions contradiction;
+  DepthScaleOptions depth_scales;
   PlacingOptions placing;
   RefusalOptions refusal;
   WorldFrameOptions world_frame;
@@ -55,12 +57,19 @@ struct RigOptions {
     visit("selection", selection);
     visit("refinement", refinement);
     visit("contradiction", contradiction);
+    visit("depth_scales", depth_scales);
     visit("placing", placing);
     visit("refusal", refusal);
     visit("world_frame", world_frame);
   }
   [[nodiscard]] Status check() const { return check_fields("RigOptions", *this); }
 };
+
+/// Depth scales at the poses that fit best, before these are checked: a wrong scale makes true
+/// poses contradict. 1 for sensors whose poses are unknown.
+[[nodiscard]] std::vector<DepthScale> rig_depth_scales(std::size_t sensors,
+                                                       std::span<const RigPair> pairs,
+                                                       const RigOptions& options = {});
 
 /// `pairs` are all pairs of `views`.
 [[nodiscard]] AlignmentReport place_rig(std::span<const SensorView* const> views,

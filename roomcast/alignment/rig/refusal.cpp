@@ -39,6 +39,12 @@ std::string why_pair_is_refused(const PairCandidates& pair, const RefusalOptions
         names(pair), kAlternativeHint);
   }
   const PoseEvidence& best = pair.ranked()[0];
+  if (best.leaves_motion_unexplained) {
+    return fmt::format(
+        "something moves in both {}, but not where their best pose has it (something repeats); put "
+        "something unique into both views",
+        names(pair));
+  }
   if (pair.margin() < evidence.min_margin) {
     return fmt::format(
         "several poses of {} fit about equally well (something repeats); put something unique into "

@@ -34,15 +34,51 @@ void RigAligner::remove(const std::string& name) {
   });
   std::erase_if(views_, [&](const auto& view) { return view->name == name; });
   affine_features_.erase(name);
+  depth_scales_.erase(name);
 }
 
 AlignmentReport RigAligner::solve(const AlignProgress& progress) {
   compare_new_pairs(progress);
   find_new_candidates(progress);
   if (progress) progress("placing all sensors", kPlacing);
+  if (scaling_ == DepthScaling::kEstimated && rescale_views()) {
+    compare_new_pairs(progress);
+    find_new_candidates(progress);
+  }
   AlignmentReport report = placed();
   if (add_affine_matches_to_refused(report, progress)) report = placed();
+  report_scales(report);
   return report;
+}
+
+bool RigAligner::rescale_views() {
+  const std::vector<DepthScale> scales = rig_depth_scales(views_.size(), pairs(), options_);
+  bool any = false;
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    const std::string name = views_[i]->name;
+    DepthScale& known = depth_scales_[name];
+    known.standard_error = scales[i].standard_error;
+    if (scales[i].factor == 1) continue;
+    auto remade = with_depth_scale(*views_[i], scales[i].factor);
+    if (!remade) continue;
+    known.factor *= scales[i].factor;
+    std::erase_if(pairs_, [&](const auto& entry) {
+      return entry.first.first == name || entry.first.second == name;
+    });
+    affine_features_.erase(name);
+    views_[i] = std::make_shared<const SensorView>(*std::move(remade));
+    any = true;
+  }
+  return any;
+}
+
+void RigAligner::report_scales(AlignmentReport& report) const {
+  for (SensorReport& sensor : report.sensors) {
+    const auto known = depth_scales_.find(sensor.id);
+    if (!sensor.placed || known == depth_scales_.end()) continue;
+    sensor.depth_scale = known->second.factor;
+    sensor.depth_scale_standard_error = known->second.standard_error;
+  }
 }
 
 AlignmentReport RigAligner::placed() const {

@@ -24,10 +24,16 @@ namespace roomcast::alignment {
 /// Called before each step with its description and the progress (0..1).
 using AlignProgress = std::function<void(std::string_view step, double done)>;
 
+/// Whether a sensor's readings may be multiplied by a factor. Poses then hold only for readings
+/// with that factor.
+enum class DepthScaling { kAsCalibrated, kEstimated };
+
 class RigAligner {
  public:
   /// `options` have passed check(). Views have options of their own.
-  explicit RigAligner(const RigOptions& options = {}) : options_(options) {}
+  explicit RigAligner(const RigOptions& options = {},
+                      DepthScaling scaling = DepthScaling::kAsCalibrated)
+      : options_(options), scaling_(scaling) {}
 
   /// Replaces an earlier sensor of the same name.
   void add(std::shared_ptr<const SensorView> view);
@@ -50,6 +56,10 @@ class RigAligner {
 
   void compare_new_pairs(const AlignProgress& progress);
   void find_new_candidates(const AlignProgress& progress);
+  /// Estimates the sensors' depth scales and remakes the views of those that have one. Returns
+  /// whether there are any.
+  [[nodiscard]] bool rescale_views();
+  void report_scales(AlignmentReport& report) const;
   [[nodiscard]] bool add_affine_matches_to_refused(const AlignmentReport& report,
                                                    const AlignProgress& progress);
   [[nodiscard]] const FeatureSet& affine_features_of(const SensorView& view);
@@ -58,8 +68,10 @@ class RigAligner {
   [[nodiscard]] std::vector<RigPair> pairs() const;
 
   RigOptions options_;
+  DepthScaling scaling_;
   std::vector<std::shared_ptr<const SensorView>> views_;
   std::map<Names, Pair> pairs_;
+  std::map<std::string, DepthScale> depth_scales_;     // by sensor, with which views were made
   std::map<std::string, FeatureSet> affine_features_;  // by sensor, only where needed
 };
 

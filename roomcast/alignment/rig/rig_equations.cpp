@@ -46,7 +46,8 @@ RigEquations::RigEquations(std::size_t sensors, std::size_t origin)
     : sensors_(sensors),
       origin_(origin),
       information_(Eigen::MatrixXd::Zero(place(sensors), place(sensors))),
-      gradient_(Eigen::VectorXd::Zero(place(sensors))) {}
+      gradient_(Eigen::VectorXd::Zero(place(sensors))),
+      has_free_scale_(sensors) {}
 
 void RigEquations::add(std::size_t a, std::size_t b, const RigidTransform& origin_from_a,
                        const PairEquations& equations) {
@@ -73,12 +74,33 @@ void RigEquations::add_prior(std::size_t sensor, const SensorCorrection& correct
   gradient_.segment<2>(first + kShift) += shift_weight * shift_px;
 }
 
+void RigEquations::free_depth_scale(std::size_t sensor, double error, double sigma) {
+  if (sensor == origin_) return;
+  const Eigen::Index scale = place(sensor) + kCorrection + kDepth + 1;
+  has_free_scale_[sensor] = true;
+  information_(scale, scale) += 1 / (sigma * sigma);
+  gradient_(scale) += error / (sigma * sigma);
+}
+
+std::vector<double> RigEquations::depth_scale_variances() const {
+  const Eigen::MatrixXd covariance =
+      anchored().ldlt().solve(Eigen::MatrixXd::Identity(place(sensors_), place(sensors_)));
+  std::vector<double> variances(sensors_);
+  for (std::size_t i = 0; i < sensors_; ++i) {
+    const Eigen::Index scale = place(i) + kCorrection + kDepth + 1;
+    if (has_free_scale_[i]) variances[i] = covariance(scale, scale);
+  }
+  return variances;
+}
+
 Eigen::MatrixXd RigEquations::anchored() const {
   Eigen::MatrixXd matrix = information_;
   matrix.diagonal().array() += kDamping * information_.trace() + std::numeric_limits<double>::min();
   matrix.block<6, 6>(place(origin_), place(origin_)).diagonal().array() += kHeld;
   for (std::size_t i = 0; i < sensors_; ++i)
-    matrix.diagonal().segment<2>(place(i) + kCorrection + kDepth).array() += kHeld;
+    matrix.diagonal()
+        .segment(place(i) + kCorrection + kDepth, has_free_scale_[i] ? 1 : 2)
+        .array() += kHeld;
   return matrix;
 }
 

@@ -34,8 +34,15 @@ class RigEquations {
   void add_prior(std::size_t sensor, const SensorCorrection& correction,
                  const ColorShiftOptions& shift = {});
 
+  /// Lets the depth scale of a sensor be solved for, with a normal prior around no error; `error`
+  /// is the current one. The origin's stays fixed, because all others are relative to it.
+  void free_depth_scale(std::size_t sensor, double error, double sigma);
+
+  /// Of the scales that are free; 0 of the others.
+  [[nodiscard]] std::vector<double> depth_scale_variances() const;
+
   /// One vector of kSensorUnknowns for each sensor. Unconstrained sensors do not move; depth is
-  /// fixed.
+  /// fixed, except for scales that are free.
   [[nodiscard]] std::vector<Eigen::Matrix<double, kSensorUnknowns, 1>> solve() const;
 
   /// Covariance of each sensor's motion, from random noise, smooth errors and depth errors that no
@@ -51,6 +58,7 @@ class RigEquations {
   std::size_t sensors_, origin_;
   Eigen::MatrixXd information_;
   Eigen::VectorXd gradient_;
+  std::vector<bool> has_free_scale_;
 };
 
 }  // namespace roomcast::alignment

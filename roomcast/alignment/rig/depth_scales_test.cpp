@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// A room through which a box walks, seen by two sensors with exact readings, one of them in need of
+// a factor.
+#include "roomcast/alignment/rig/depth_scales.h"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/alignment/feature/walk_views_fixture.h"
+
+namespace roomcast::alignment {
+namespace {
+
+const RigidTransform kOrigin = corner_pose(2, 1.5), kScaled = corner_pose(-2, 1.5);
+
+std::vector<DepthScale> scales_of(const SensorView& a, const SensorView& b) {
+  const PairCandidates candidates(a, b, {});
+  const std::array<RigPair, 1> pairs = {{{0, 1, &candidates}}};
+  const std::vector<RefinedSensor> start = {{{}, {}}, {kOrigin.inverse() * kScaled, {}}};
+  return estimate_depth_scales(start, 0, pairs);
+}
+
+TEST(DepthScales, a_sensor_that_reads_too_near_gets_its_factor) {
+  const auto a = walk_view({}, "a", kOrigin);
+  const auto b = walk_view({}, "b", kScaled, 1.04);
+  const auto scales = scales_of(*a, *b);
+  EXPECT_EQ(scales[0].factor, 1);
+  EXPECT_EQ(scales[0].standard_error, 0);
+  EXPECT_NEAR(scales[1].factor, 1.04, 0.008);
+  EXPECT_GT(scales[1].standard_error, 0);
+  EXPECT_LT(std::abs(scales[1].factor - 1.04), 3 * scales[1].standard_error);
+}
+
+TEST(DepthScales, an_exact_sensor_keeps_its_readings) {
+  const auto a = walk_view({}, "a", kOrigin), b = walk_view({}, "b", kScaled);
+  EXPECT_EQ(scales_of(*a, *b)[1].factor, 1);
+}
+
+TEST(DepthScales, are_not_determined_where_nothing_moves) {
+  const auto a = walk_view({}, "a", kOrigin);
+  SensorView still = *walk_view({}, "b", kScaled, 1.04);
+  still.instants.clear();
+  const auto scales = scales_of(*a, still);
+  EXPECT_EQ(scales[1].factor, 1);
+  EXPECT_EQ(scales[1].standard_error, 0);
+}
+
+}  // namespace
+}  // namespace roomcast::alignment
