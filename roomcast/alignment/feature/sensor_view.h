@@ -66,9 +66,9 @@ struct SensorView {
   std::vector<Plane> planes;
   std::optional<Plane> floor;
   FeatureSet picture_features, rectified_features;
-  std::vector<DepthInstant> instants;      // of the bundle
-  Image<Eigen::Vector2f> block_rays = {};  // through the middles of the instants' blocks
-  SensorViewOptions options = {};          // with which it was made
+  std::vector<DepthInstant> instants = {};  // of the bundle
+  Image<Eigen::Vector2f> block_rays = {};   // through the middles of the instants' blocks
+  SensorViewOptions options = {};           // with which it was made
   std::shared_ptr<const CalibrationBundle> bundle = nullptr;  // of which, if it has instants
 };
 
