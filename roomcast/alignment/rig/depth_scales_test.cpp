@@ -12,18 +12,18 @@
 namespace roomcast::alignment {
 namespace {
 
-const RigidTransform kOrigin = corner_pose(2, 1.5), kScaled = corner_pose(-2, 1.5);
+const RigidTransform kExactPose = corner_pose(2, 1.5), kScaledPose = corner_pose(-2, 1.5);
 
 std::vector<DepthScale> scales_of(const SensorView& a, const SensorView& b) {
   const PairCandidates candidates(a, b, {});
   const std::array<RigPair, 1> pairs = {{{0, 1, &candidates}}};
-  const std::vector<RefinedSensor> start = {{{}, {}}, {kOrigin.inverse() * kScaled, {}}};
+  const std::vector<RefinedSensor> start = {{{}, {}}, {kExactPose.inverse() * kScaledPose, {}}};
   return estimate_depth_scales(start, 0, pairs);
 }
 
 TEST(DepthScales, a_sensor_that_reads_too_near_gets_its_factor) {
-  const auto a = walk_view({}, "a", kOrigin);
-  const auto b = walk_view({}, "b", kScaled, 1.04);
+  const auto a = walk_view({}, "a", kExactPose);
+  const auto b = walk_view({}, "b", kScaledPose, 1.04);
   const auto scales = scales_of(*a, *b);
   EXPECT_EQ(scales[0].factor, 1);
   EXPECT_EQ(scales[0].standard_error, 0);
@@ -33,13 +33,13 @@ TEST(DepthScales, a_sensor_that_reads_too_near_gets_its_factor) {
 }
 
 TEST(DepthScales, an_exact_sensor_keeps_its_readings) {
-  const auto a = walk_view({}, "a", kOrigin), b = walk_view({}, "b", kScaled);
+  const auto a = walk_view({}, "a", kExactPose), b = walk_view({}, "b", kScaledPose);
   EXPECT_EQ(scales_of(*a, *b)[1].factor, 1);
 }
 
 TEST(DepthScales, are_not_determined_where_nothing_moves) {
-  const auto a = walk_view({}, "a", kOrigin);
-  SensorView still = *walk_view({}, "b", kScaled, 1.04);
+  const auto a = walk_view({}, "a", kExactPose);
+  SensorView still = *walk_view({}, "b", kScaledPose, 1.04);
   still.instants.clear();
   const auto scales = scales_of(*a, still);
   EXPECT_EQ(scales[1].factor, 1);
