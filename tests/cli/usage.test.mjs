@@ -90,6 +90,7 @@ test('without_memory_or_descriptors_a_program_ends_with_a_sentence', async (t) =
     const args = ['hub', '--listen', '127.0.0.1:0', '--data', scratchFolder(t), '--threads', '8'];
     const { code, stderr } = await run(...args, { through: ['sh', '-c', `${limits}; exec "$0" "$@"`] });
     assert.ok(code === 1 || code === 127, `${limits}: ${code} ${stderr}`);
-    assert.ok(stderr.trim().split('\n').length === 1, stderr);
+    assert.doesNotMatch(stderr, /terminate called|bad_alloc|internal error/);
+    assert.match(stderr.trimEnd().split('\n').at(-1), /memory|system refused|cannot|shared/);
   }
 });
