@@ -22,6 +22,8 @@ std::vector<DepthScale> scales_of(const SensorView& a, const SensorView& b) {
 }
 
 TEST(DepthScales, a_sensor_that_reads_too_near_gets_its_factor) {
+  GTEST_SKIP() << "the estimate is switched off until its standard errors are honest (ADR 17); in "
+                  "this room it is not determined";
   const auto a = walk_view({}, "a", kExactPose);
   const auto b = walk_view({}, "b", kScaledPose, 1.04);
   const auto scales = scales_of(*a, *b);
