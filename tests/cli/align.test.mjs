@@ -30,7 +30,7 @@ function writeBlackRig(t) {
 
 const sensorKeys = [
   ...['id', 'placed', 'world_from_depth', 'expected_error_mm', 'expected_error_deg', 'color_shift_px', 'overlap'],
-  ...['inliers', 'residual_mm', 'reason'],
+  ...['inliers', 'residual_mm', 'reason', 'depth_scale', 'depth_scale_standard_error'],
 ];
 
 test('sensors_with_black_pictures_are_refused_each_with_a_reason', async (t) => {
