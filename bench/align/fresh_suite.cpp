@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/align/rig_entries.h"
 #include "roomcast/alignment/pair/free_space.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 #include "roomcast/alignment/rig/rig_aligner.h"
@@ -22,33 +23,7 @@ constexpr std::size_t kOverlapPoints = 4000;
 /// Seed offset between a room and the room of the same kind that may look alike.
 constexpr std::uint64_t kAnotherRoom = 1'000'000;
 
-/// A sensor of the rig under test.
-struct Entry {
-  const SimulatedView* seen;
-  bool native;  // belongs to the room
-};
-
-std::vector<Entry> entries_of(const FreshRig& rig) {
-  std::vector<Entry> entries;
-  for (const SimulatedView& seen : rig.room) {
-    if (seen.view) entries.push_back({&seen, true});
-  }
-  for (const SimulatedView& seen : rig.strangers) {
-    if (seen.view) entries.push_back({&seen, false});
-  }
-  return entries;
-}
-
-/// Aligns the sensors under names that reveal nothing about their rooms.
-alignment::AlignmentReport aligned(const std::vector<Entry>& entries) {
-  alignment::RigAligner aligner;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    auto view = std::make_shared<alignment::SensorView>(*entries[i].seen->view);
-    view->name = "v" + std::to_string(i);
-    aligner.add(std::move(view));
-  }
-  return aligner.solve();
-}
+using Entry = RigEntry<SimulatedView>;
 
 AlignCase case_of(const Entry& a, const Entry& b) {
   AlignCase pair;
@@ -67,9 +42,9 @@ AlignAnswer answer(const alignment::SensorReport& a, const alignment::SensorRepo
 }  // namespace
 
 void FreshSuite::add(const FreshRig& rig) {
-  const std::vector<Entry> entries = entries_of(rig);
+  const std::vector<Entry> entries = entries_of(rig.room, rig.strangers);
   const std::clock_t start = std::clock();
-  const alignment::AlignmentReport report = aligned(entries);
+  const alignment::AlignmentReport report = aligned_unnamed(entries);
   cpu_s_ += double(std::clock() - start) / CLOCKS_PER_SEC;
   ++rooms_;
   const Entry* origin = nullptr;  // the first placed sensor

@@ -10,6 +10,7 @@
 
 #include "bench/align/align_tally.h"
 #include "bench/align/depth_scale_of.h"
+#include "bench/align/rig_entries.h"
 #include "roomcast/alignment/pair/free_space.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 #include "roomcast/alignment/rig/rig_aligner.h"
@@ -19,32 +20,7 @@ namespace {
 
 constexpr std::size_t kHarshOverlapPoints = 4000;
 
-struct HarshEntry {
-  const HarshView* seen;
-  bool native;  // belongs to the room
-};
-
-std::vector<HarshEntry> usable_views(const HarshRig& rig) {
-  std::vector<HarshEntry> entries;
-  for (const HarshView& seen : rig.room) {
-    if (seen.view) entries.push_back({&seen, true});
-  }
-  for (const HarshView& seen : rig.strangers) {
-    if (seen.view) entries.push_back({&seen, false});
-  }
-  return entries;
-}
-
-/// Aligns under names that reveal nothing about the rooms.
-alignment::AlignmentReport aligned_harsh(const std::vector<HarshEntry>& entries) {
-  alignment::RigAligner aligner;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    auto view = std::make_shared<alignment::SensorView>(*entries[i].seen->view);
-    view->name = "v" + std::to_string(i);
-    aligner.add(std::move(view));
-  }
-  return aligner.solve();
-}
+using HarshEntry = RigEntry<HarshView>;
 
 /// Two sensors of one room, and what alignment says about them.
 struct JudgedPair {
@@ -127,8 +103,8 @@ void HarshRow::add(const HarshRow& other) {
 }
 
 HarshRow judged(const HarshRig& rig) {
-  const std::vector<HarshEntry> entries = usable_views(rig);
-  const alignment::AlignmentReport report = aligned_harsh(entries);
+  const std::vector<HarshEntry> entries = entries_of(rig.room, rig.strangers);
+  const alignment::AlignmentReport report = aligned_unnamed(entries);
   HarshRow row;
   row.rigs = 1;
   row.refused_views = static_cast<int>(rig.room.size() + rig.strangers.size() - entries.size());

@@ -19,12 +19,6 @@ using Progress = std::function<void(const std::string&)>;
 
 constexpr std::array kModes{"lossless", "near-2mm", "live", "live+color"};
 
-/// The codecs that are compared: the project's own, and the two lossless ones of other programs.
-bool is_shown(const CodecBenchRow& row) {
-  const bool is_known = std::ranges::find(kModes, row.mode) != kModes.end();
-  return is_known && (row.codec == "roomcast" || row.codec == "rvl" || row.codec == "png16");
-}
-
 Result<SensorBytes> measure_bytes(const std::filesystem::path& rig, const std::string& sensor,
                                   int frames, const Progress& progress) {
   SensorBytes bytes{sensor, {}};
@@ -36,7 +30,7 @@ Result<SensorBytes> measure_bytes(const std::filesystem::path& rig, const std::s
       if (progress) progress(fmt::format("{}: {}, frame {}", sensor, mode, frame));
     });
     if (!report) return report.error();
-    std::ranges::copy_if(report->rows, std::back_inserter(bytes.rows), is_shown);
+    std::ranges::copy(report->rows, std::back_inserter(bytes.rows));
   }
   return bytes;
 }
