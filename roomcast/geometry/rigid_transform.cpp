@@ -35,6 +35,14 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
 
 }  // namespace
 
+RigidTransform RigidTransform::operator*(const RigidTransform& other) const {
+  return {rotation * other.rotation, rotation * other.translation_m + translation_m};
+}
+
+RigidTransform RigidTransform::inverse() const {
+  return {rotation.transpose(), -(rotation.transpose() * translation_m)};
+}
+
 std::array<double, 16> row_major_from_transform(const RigidTransform& transform) {
   RowMajor4 matrix = RowMajor4::Identity();
   matrix.topLeftCorner<3, 3>() = transform.rotation;

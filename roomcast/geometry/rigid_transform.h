@@ -18,12 +18,8 @@ struct RigidTransform {
   [[nodiscard]] Eigen::Vector3d operator*(const Eigen::Vector3d& point_m) const {
     return rotation * point_m + translation_m;
   }
-  [[nodiscard]] RigidTransform operator*(const RigidTransform& other) const {
-    return {rotation * other.rotation, rotation * other.translation_m + translation_m};
-  }
-  [[nodiscard]] RigidTransform inverse() const {
-    return {rotation.transpose(), -(rotation.transpose() * translation_m)};
-  }
+  [[nodiscard]] RigidTransform operator*(const RigidTransform& other) const;
+  [[nodiscard]] RigidTransform inverse() const;
 };
 
 /// Row-major 4x4, as in rig.json, camera.json and on the wire.

@@ -8,7 +8,7 @@
 #include <optional>
 #include <system_error>
 
-#include <Eigen/Geometry>
+#include "roomcast/geometry/rotations.h"
 
 namespace roomcast::simulator {
 namespace {
@@ -90,7 +90,7 @@ bool apply(std::string_view option, SimulatedSpec& spec) {
 RigidTransform SimulatedBump::mount_from_depth() const {
   RigidTransform bump;
   const Eigen::Vector3d axis = Eigen::Vector3d(0.4, 1, 0.2).normalized();
-  bump.rotation = Eigen::AngleAxisd(angle_deg * std::numbers::pi / 180, axis).toRotationMatrix();
+  bump.rotation = rotation_about(axis, angle_deg * std::numbers::pi / 180);
   bump.translation_m = 0.01 * shift_cm * Eigen::Vector3d(1, 0.3, -0.8).normalized();
   return bump;
 }

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include "roomcast/alignment/board/tag_detector.h"
+#include "roomcast/geometry/dense_solvers.h"
 
 namespace roomcast::alignment {
 namespace {
@@ -37,8 +37,7 @@ DepthPlane plane_through(const std::vector<Eigen::Vector3d>& points_m) {
   for (const auto& point : points_m) mean += point / static_cast<double>(points_m.size());
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const auto& point : points_m) spread += (point - mean) * (point - mean).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-  return {axes.eigenvectors().col(0), mean};
+  return {thinnest_direction(spread), mean};
 }
 
 /// Fits a plane without the farthest outliers: flying pixels, fingers.

@@ -6,7 +6,10 @@
 #include <optional>
 #include <string>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+
+#include "roomcast/geometry/dense_solvers.h"
+#include "roomcast/geometry/rotations.h"
 
 namespace roomcast::alignment::calibration {
 namespace {
@@ -107,10 +110,7 @@ struct Equations {
 DepthModel moved(const DepthModel& model, const Unknowns& by) {
   const Eigen::Vector3d turn = by.segment<3>(kTurn);
   DepthModel next = model;
-  if (turn.norm() > 0) {
-    const Eigen::AngleAxisd rotation(turn.norm(), turn.normalized());
-    next.color_from_depth.rotation = rotation * model.color_from_depth.rotation;
-  }
+  next.color_from_depth.rotation = rotation_from_vector(turn) * model.color_from_depth.rotation;
   next.color_from_depth.translation_m += by.segment<3>(kShift);
   next.scale += by[kScale];
   next.bias_m += by[kBias];
@@ -138,7 +138,7 @@ PlaneError error_of_view(const Plane& plane, const std::vector<Reading>& reading
 }
 
 void tell_sigmas(const Equations& equations, DepthFit& fit) {
-  const Normal covariance = equations.normal.inverse();
+  const Normal covariance = inverse_of(equations.normal);
   const auto sigma = [&](int first, int count) {
     return std::sqrt(covariance.diagonal().segment(first, count).sum());
   };
@@ -181,7 +181,7 @@ Result<DepthFit> fit_depth(const CharucoBoard& board, const std::vector<BoardDep
       const Unknowns weight = sigma.cwiseAbs2().cwiseInverse();
       equations.normal.diagonal() += weight;
       equations.right += weight.cwiseProduct(from_start);
-      const Unknowns by = -equations.normal.ldlt().solve(equations.right);
+      const Unknowns by = -solve_symmetric(equations.normal, equations.right);
       fit.model = moved(fit.model, by);
       from_start += by;
     }

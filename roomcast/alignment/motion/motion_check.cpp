@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include "roomcast/alignment/pair/pair_equations.h"
+#include "roomcast/geometry/dense_solvers.h"
+#include "roomcast/geometry/rotations.h"
 
 namespace roomcast::alignment {
 namespace {
@@ -18,13 +19,14 @@ Vector6 known_motion(const Matrix6& information, const Vector6& gradient,
   Vector6 scale;  // radians as metres at the lever
   scale << Eigen::Vector3d::Constant(1 / options.lever_m), Eigen::Vector3d::Ones();
   const Matrix6 scaled = scale.asDiagonal() * information * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Matrix6> directions(scaled);
-  const Vector6 along = directions.eigenvectors().transpose() * scale.cwiseProduct(gradient);
+  const PrincipalAxes axes = principal_axes(scaled);
+  const Matrix6 directions = axes.directions;
+  const Vector6 along = directions.transpose() * scale.cwiseProduct(gradient);
   Vector6 step = Vector6::Zero();
   for (Eigen::Index i = 0; i < 6; ++i) {
-    const double known = directions.eigenvalues()(i);
+    const double known = axes.variances(i);
     if (known * options.observable_m * options.observable_m < 1) continue;
-    step -= along(i) / known * directions.eigenvectors().col(i);
+    step -= along(i) / known * directions.col(i);
   }
   return scale.cwiseProduct(step);
 }
@@ -127,7 +129,7 @@ MotionEvidence MotionCheck::compare(DepthView depth_mm) const {
   const Tally still = tally(depth_mm, {}), moved = tally(depth_mm, evidence.now_from_then);
   const auto all = static_cast<double>(std::max<std::size_t>(1, landmarks_.size()));
   evidence.shift_m = evidence.now_from_then.translation_m.norm();
-  evidence.angle_rad = Eigen::AngleAxisd(evidence.now_from_then.rotation).angle();
+  evidence.angle_rad = vector_from_rotation(evidence.now_from_then.rotation).norm();
   evidence.comparable = moved.comparable() / all;
   evidence.agree_if_still = still.agree();
   evidence.agree_if_moved = moved.agree();

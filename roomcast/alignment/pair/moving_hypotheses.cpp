@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "roomcast/alignment/pair/pose_difference.h"
+#include "roomcast/geometry/rotations.h"
 
 namespace roomcast::alignment {
 namespace {
@@ -20,9 +21,7 @@ struct SeenByBoth {
 
 RigidTransform upright_from(const Plane& floor) {
   RigidTransform upright;
-  upright.rotation =
-      Eigen::Quaterniond::FromTwoVectors(floor.normal.cast<double>(), Eigen::Vector3d::UnitY())
-          .toRotationMatrix();
+  upright.rotation = rotation_between(floor.normal.cast<double>(), Eigen::Vector3d::UnitY());
   upright.translation_m.y() = double(floor.offset_m);
   return upright;
 }
@@ -118,8 +117,7 @@ std::vector<PoseHypothesis> hypotheses_by_motion(const SensorView& a, const Sens
   for (int i = 0; i < options.turns; ++i) {
     RigidTransform turn;
     turn.rotation =
-        Eigen::AngleAxisd(2 * std::numbers::pi * i / options.turns, Eigen::Vector3d::UnitY())
-            .toRotationMatrix();
+        rotation_about(Eigen::Vector3d::UnitY(), 2 * std::numbers::pi * i / options.turns);
     const auto shift = shift_at(turn.rotation, moments, options.max_scatter_m);
     if (!shift) continue;
     turn.translation_m = *shift;

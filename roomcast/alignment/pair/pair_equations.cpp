@@ -3,9 +3,10 @@
 
 #include <cmath>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
+
+#include "roomcast/geometry/dense_solvers.h"
+#include "roomcast/geometry/rotations.h"
 
 namespace roomcast::alignment {
 namespace {
@@ -24,13 +25,7 @@ void add_prior(const SensorCorrection& correction, Eigen::Index first,
 }  // namespace
 
 RigidTransform step_transform(const Vector6& xi) {
-  const double angle = xi.head<3>().norm();
-  RigidTransform step;
-  if (angle > 0) {
-    step.rotation = Eigen::AngleAxisd(angle, xi.head<3>() / angle).toRotationMatrix();
-  }
-  step.translation_m = xi.tail<3>();
-  return step;
+  return {rotation_from_vector(xi.head<3>()), xi.tail<3>()};
 }
 
 Eigen::Matrix<double, 3, 6> point_motion(const Eigen::Vector3d& point_m) {
@@ -42,7 +37,7 @@ Eigen::Matrix<double, 3, 6> point_motion(const Eigen::Vector3d& point_m) {
 
 double expected_error_m(const Matrix6& information, const Eigen::Vector3d& point_m) {
   const Eigen::Matrix<double, 3, 6> by = point_motion(point_m);
-  return std::sqrt((by * information.inverse() * by.transpose()).trace());
+  return std::sqrt((by * Matrix6(inverse_of(information)) * by.transpose()).trace());
 }
 
 Vector6 solve_motion(const PairEquations& equations) {
@@ -50,7 +45,7 @@ Vector6 solve_motion(const PairEquations& equations) {
   const double trace = information.trace();
   if (!(trace > kMinTrace)) return Vector6::Zero();
   information.diagonal().array() += kDamping * trace;
-  return information.ldlt().solve(-equations.gradient.head<6>());
+  return solve_symmetric(information, -equations.gradient.head<6>());
 }
 
 PairVector solve_state(PairEquations equations, const PairState& at,
@@ -62,7 +57,7 @@ PairVector solve_state(PairEquations equations, const PairState& at,
   equations.information.diagonal().head<6>().array() += kDamping * trace;
   for (const Eigen::Index of : {kOfA, kOfB})
     equations.information.diagonal().segment<2>(of + kDepth).array() += kHeld;
-  return equations.information.ldlt().solve(-equations.gradient);
+  return solve_symmetric(equations.information, -equations.gradient);
 }
 
 void move(const PairVector& step, PairState& state) {

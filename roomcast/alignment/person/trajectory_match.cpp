@@ -5,8 +5,10 @@
 #include <cmath>
 #include <optional>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+
+#include "roomcast/geometry/dense_solvers.h"
+#include "roomcast/geometry/rotations.h"
 
 namespace roomcast::alignment {
 namespace {
@@ -176,7 +178,7 @@ Fit improved(std::span<const Moment> moments, const Fit& fit, const TrajectoryMa
     gradient += weight_of_each * robust * jacobian.transpose() * precise * residual;
   }
   Fit better = fit;
-  better.covariance = information.inverse();
+  better.covariance = inverse_of(information);
   const Vector5 step = better.covariance * gradient;
   better.motion.turn_rad -= step(0);
   better.motion.shift -= step.segment<2>(1);
@@ -206,8 +208,7 @@ double walk_error_m(const Fit& fit, std::span<const Moment> moments, double shap
 
 RigidTransform transform_of(const Motion& motion) {
   RigidTransform transform;
-  transform.rotation =
-      Eigen::AngleAxisd(motion.turn_rad, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  transform.rotation = rotation_about(Eigen::Vector3d::UnitY(), motion.turn_rad);
   transform.translation_m = {motion.shift.x(), 0, motion.shift.y()};
   return transform;
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Geometry>
+#include "roomcast/geometry/rotations.h"
 
 namespace roomcast::alignment {
 namespace {
@@ -17,8 +17,7 @@ std::vector<RigidTransform> starts_about(const RigidTransform& guess, const Nudg
   for (const double side : {-1.0, 1.0}) {
     RigidTransform turned = guess, across = guess, along = guess;
     turned.rotation =
-        Eigen::AngleAxisd(side * options.aside_rad, Eigen::Vector3d::UnitY()).toRotationMatrix() *
-        guess.rotation;
+        rotation_about(Eigen::Vector3d::UnitY(), side * options.aside_rad) * guess.rotation;
     across.translation_m.x() += side * options.aside_m;
     along.translation_m.z() += side * options.aside_m;
     starts.insert(starts.end(), {turned, across, along});

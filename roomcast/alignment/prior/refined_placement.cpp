@@ -3,9 +3,10 @@
 
 #include <array>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Geometry>
 #include <Eigen/LU>
+
+#include "roomcast/geometry/dense_solvers.h"
+#include "roomcast/geometry/rotations.h"
 
 namespace roomcast::alignment {
 namespace {
@@ -14,9 +15,9 @@ const Eigen::Vector3d kAhead_m(0, 0, 2.5);
 
 /// The motion that takes one pose to another (step_transform).
 Vector6 motion_between(const RigidTransform& from, const RigidTransform& to) {
-  const Eigen::AngleAxisd turn(Eigen::Matrix3d(to.rotation * from.rotation.transpose()));
+  const Eigen::Matrix3d turn = to.rotation * from.rotation.transpose();
   Vector6 motion;
-  motion << turn.angle() * turn.axis(), to.translation_m - turn * from.translation_m;
+  motion << vector_from_rotation(turn), to.translation_m - turn * from.translation_m;
   return motion;
 }
 
@@ -58,10 +59,10 @@ std::optional<EstimatedPlacement> refined_placement(const SensorView& view,
   const double sigma_m = 0.001 * found.expected_error_mm;
   const Matrix6 before =
       information_of(sigma_m, options.walk_radius_m, shared.origin_from_sensor * kAhead_m);
-  const Matrix6 together = before + shared.covariance.inverse();
+  const Matrix6 together = before + inverse_of(shared.covariance);
   const Vector6 back = motion_between(shared.origin_from_sensor, at_first);
   const RigidTransform a_from_b =
-      step_transform(together.ldlt().solve(before * back)) * shared.origin_from_sensor;
+      step_transform(solve_symmetric(together, before * back)) * shared.origin_from_sensor;
 
   const PoseDifference apart = difference(a_from_b, at_first, kAhead_m);
   if (apart.distance_m > options.max_sigmas * sigma_m ||

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include <Eigen/Cholesky>
+#include "roomcast/geometry/dense_solvers.h"
 
 namespace roomcast::alignment {
 namespace {
@@ -51,11 +51,10 @@ RigEquations::RigEquations(std::size_t sensors, std::size_t origin)
 
 void RigEquations::add(std::size_t a, std::size_t b, const RigidTransform& origin_from_a,
                        const PairEquations& equations) {
-  const auto carry = pair_from_sensors(origin_from_a);
-  const Eigen::Matrix<double, 2 * kSensorUnknowns, 2 * kSensorUnknowns> information =
-      carry.transpose() * equations.information * carry;
-  const Eigen::Matrix<double, 2 * kSensorUnknowns, 1> gradient =
-      carry.transpose() * equations.gradient;
+  const Eigen::MatrixXd carry = pair_from_sensors(origin_from_a);
+  const Eigen::MatrixXd of_pair = equations.information;
+  const Eigen::MatrixXd information = carry.transpose() * of_pair * carry;
+  const Eigen::VectorXd gradient = carry.transpose() * equations.gradient;
   constexpr Eigen::Index kN = kSensorUnknowns;
   information_.block<kN, kN>(place(a), place(a)) += information.topLeftCorner<kN, kN>();
   information_.block<kN, kN>(place(a), place(b)) += information.topRightCorner<kN, kN>();
@@ -84,7 +83,7 @@ void RigEquations::free_depth_scale(std::size_t sensor, double error, double sig
 
 std::vector<double> RigEquations::depth_scale_variances() const {
   const Eigen::MatrixXd covariance =
-      anchored().ldlt().solve(Eigen::MatrixXd::Identity(place(sensors_), place(sensors_)));
+      solve_symmetric(anchored(), Eigen::MatrixXd::Identity(place(sensors_), place(sensors_)));
   std::vector<double> variances(sensors_);
   for (std::size_t i = 0; i < sensors_; ++i) {
     const Eigen::Index scale = place(i) + kCorrection + kDepth + 1;
@@ -105,7 +104,7 @@ Eigen::MatrixXd RigEquations::anchored() const {
 }
 
 std::vector<Eigen::Matrix<double, kSensorUnknowns, 1>> RigEquations::solve() const {
-  const Eigen::VectorXd steps = anchored().ldlt().solve(-gradient_);
+  const Eigen::VectorXd steps = solve_symmetric(anchored(), -gradient_);
   std::vector<Eigen::Matrix<double, kSensorUnknowns, 1>> of_sensors;
   for (std::size_t i = 0; i < sensors_; ++i) {
     of_sensors.emplace_back(steps.segment<kSensorUnknowns>(place(i)));
@@ -129,11 +128,10 @@ Eigen::MatrixXd RigEquations::variance_by_depth(const DepthUncertainty& doubt) c
 
 std::vector<Matrix6> RigEquations::motion_covariance(const RigScatter& scatter,
                                                      const DepthUncertainty& doubt) const {
-  const auto factors = anchored().ldlt();
   const Eigen::MatrixXd random =
-      factors.solve(Eigen::MatrixXd::Identity(place(sensors_), place(sensors_)));
-  const Eigen::MatrixXd all =
-      random + random * (scatter.variance() + variance_by_depth(doubt)) * random;
+      solve_symmetric(anchored(), Eigen::MatrixXd::Identity(place(sensors_), place(sensors_)));
+  const Eigen::MatrixXd by_readings = scatter.variance() + variance_by_depth(doubt);
+  const Eigen::MatrixXd all = random + random * by_readings * random;
   std::vector<Matrix6> of_sensors;
   for (std::size_t i = 0; i < sensors_; ++i) {
     const Eigen::Index k = place(i);

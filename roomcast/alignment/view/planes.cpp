@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include <Eigen/Eigenvalues>
+#include "roomcast/geometry/dense_solvers.h"
 
 namespace roomcast::alignment {
 namespace {
@@ -50,9 +50,7 @@ Flat fitted(const Flat& plane, std::span<const SurfacePoint> samples, const Plan
   }
   if (count < double(options.min_points)) return plane;
   mean /= count;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments / count -
-                                                            mean * mean.transpose());
-  Eigen::Vector3d normal = axes.eigenvectors().col(0);
+  Eigen::Vector3d normal = thinnest_direction(moments / count - mean * mean.transpose());
   if (normal.dot(plane.normal.cast<double>()) < 0) normal = -normal;
   return {normal.cast<float>(), static_cast<float>(-normal.dot(mean))};
 }

@@ -7,9 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
-
+#include "roomcast/geometry/dense_solvers.h"
 #include "roomcast/recording/export/depth_points.h"
 
 namespace roomcast::recording {
@@ -71,7 +69,7 @@ std::optional<Surroundings> surroundings_of(const StaticSensor& sensor,
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const auto& p : points_m)
     scatter += (p - around.middle_m) * (p - around.middle_m).transpose();
-  around.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(0);
+  around.normal = thinnest_direction(scatter);
   return around;
 }
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include <Eigen/Dense>
+#include "roomcast/geometry/dense_solvers.h"
 
 namespace roomcast::render {
 namespace {
@@ -117,7 +117,7 @@ void ColorMatching::update(const std::map<SensorId, RigidTransform>& world_from_
     }
   }
   const Eigen::MatrixXd logs =
-      normal.ldlt().solve(right).cwiseMax(-kLargestLog).cwiseMin(kLargestLog);
+      solve_symmetric(normal, right).cwiseMax(-kLargestLog).cwiseMin(kLargestLog);
   for (Eigen::Index i = 0; i < count; ++i) {
     Eigen::Vector3f& log_gain = known[static_cast<std::size_t>(i)].second->log_gain;
     log_gain += kFollow * (logs.row(i).transpose().cast<float>() - log_gain);

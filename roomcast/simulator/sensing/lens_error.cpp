@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/simulator/sensing/lens_error.h"
 
-#include <Eigen/Geometry>
+#include "roomcast/geometry/rotations.h"
 
 namespace roomcast::simulator {
 namespace {
@@ -41,8 +41,7 @@ CameraIntrinsics with_error(CameraIntrinsics nominal, const LensError& error) {
 
 RigidTransform with_drawn_error(RigidTransform color_from_depth, Random& random) {
   const Eigen::Vector3d turn = vector_up_to(kMaxColorTurn_rad, random);
-  color_from_depth.rotation = color_from_depth.rotation *
-                              Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+  color_from_depth.rotation = color_from_depth.rotation * rotation_from_vector(turn);
   color_from_depth.translation_m += vector_up_to(kMaxColorShift_m, random);
   return color_from_depth;
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/simulator/sensing/sensor_unit.h"
 
-#include <Eigen/Geometry>
-
+#include "roomcast/geometry/rotations.h"
 #include "roomcast/simulator/random/value_noise.h"
 #include "roomcast/simulator/sensing/harsh_unit.h"
 
@@ -22,8 +21,7 @@ class Deviations {
 RigidTransform nudged(RigidTransform transform, double angle_rad, double shift_m, Deviations& by) {
   const Eigen::Vector3d turn(by.next(), by.next(), by.next());
   const Eigen::Vector3d shift(by.next(), by.next(), by.next());
-  transform.rotation =
-      transform.rotation * Eigen::AngleAxisd(angle_rad * turn.norm(), turn.normalized()).matrix();
+  transform.rotation = transform.rotation * rotation_from_vector(angle_rad * turn);
   transform.translation_m += shift_m * shift;
   return transform;
 }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Dense>
+#include "roomcast/geometry/dense_solvers.h"
 
 namespace roomcast::source {
 namespace {
@@ -64,7 +64,7 @@ Unknowns improved(const SensorCalibration& start, const Unknowns& x,
     normal += jacobian.transpose() * jacobian;
     right += jacobian.transpose() * r;
   }
-  return x - normal.ldlt().solve(right);
+  return x - solve_symmetric(normal, right);
 }
 
 double rms_px(const SensorCalibration& cameras, const std::vector<MappedPoint>& points) {

@@ -3,8 +3,7 @@
 
 #include <utility>
 
-#include <Eigen/Geometry>
-
+#include "roomcast/geometry/rotations.h"
 #include "roomcast/render/view/surface_view.h"
 #include "roomcast/viewer/people/drawing_over.h"
 
@@ -76,8 +75,7 @@ void BodyRenderer::draw_hands_and_beam(const client::PersonPose& pose, Rgb8 colo
 void BodyRenderer::draw_beam(const client::PointerBeam& beam, Rgb8 color) const {
   const Eigen::Vector3d along_m = beam.to_m - beam.from_m;
   RigidTransform world_from_beam = at((beam.from_m + beam.to_m) / 2);
-  world_from_beam.rotation =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along_m).toRotationMatrix();
+  world_from_beam.rotation = rotation_between(Eigen::Vector3d::UnitZ(), along_m);
   draw_ball(world_from_beam, {kBeamRadius_m, kBeamRadius_m, along_m.norm() / 2}, color, kShines);
   draw_ball(at(beam.to_m), Eigen::Vector3d::Constant(kSpotRadius_m), color, kShines);
 }
