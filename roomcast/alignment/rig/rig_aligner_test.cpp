@@ -160,7 +160,8 @@ TEST(RigAligner, expects_about_the_errors_that_flawed_depth_makes) {
                    true_pose(*corner_views()[0], *corner_views()[i]));
     EXPECT_LT(1000 * error.distance_m, 2 * sensor.expected_error_mm);
     EXPECT_LT(error.angle_rad * 180 / M_PI, 2 * sensor.expected_error_deg);
-    EXPECT_LT(sensor.expected_error_mm, 40) << "nor is it a worthless bound";
+    // Surfaces that disagree by millimetres raise doubts about the scale, too (ADR 18).
+    EXPECT_LT(sensor.expected_error_mm, 200) << "nor is it a worthless bound";
   }
 }
 

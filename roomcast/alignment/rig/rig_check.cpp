@@ -2,6 +2,7 @@
 #include "roomcast/alignment/rig/rig_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace roomcast::alignment {
@@ -12,6 +13,7 @@ struct SeenByOthers {
   double consistent = 0, violating = 0;              // shares of views
   double solid_consistent = 0, solid_violating = 0;  // blocks
   PlanarTexture prints;
+  double uncalibrated_belief = 0;
 
   void add(const PoseEvidence& evidence) {
     consistent += evidence.space.consistent;
@@ -23,9 +25,10 @@ struct SeenByOthers {
   [[nodiscard]] double contradiction(const RigCheckOptions& options) const {
     const double conflict = violating / (consistent + violating + 1e-3);
     const double solid_conflict = solid_violating / (solid_consistent + solid_violating + 1);
+    const double max_conflict =
+        std::lerp(options.max_conflict, options.max_uncalibrated_conflict, uncalibrated_belief);
     double worst = 0;
-    if (violating > options.negligible_violation)
-      worst = std::max(worst, conflict / options.max_conflict);
+    if (violating > options.negligible_violation) worst = std::max(worst, conflict / max_conflict);
     if (solid_violating > options.negligible_solid)
       worst = std::max(worst, solid_conflict / options.max_solid_conflict);
     if (prints.contradicting > options.negligible_prints)
@@ -70,6 +73,8 @@ std::vector<SeenByOthers> seen_by_others(std::span<const RigPair> pairs, const R
                                          const RigCheckOptions& options,
                                          std::vector<bool>& exact_colors) {
   std::vector<SeenByOthers> seen(answer.placed.size());
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    seen[i].uncalibrated_belief = answer.refined[i].uncalibrated_belief;
   std::vector<SeenPrints> prints;
   for (const RigPair& pair : pairs) {
     if (!answer.placed[pair.first] || !answer.placed[pair.second]) continue;

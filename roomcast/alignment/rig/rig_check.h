@@ -20,6 +20,9 @@ namespace roomcast::alignment {
 struct RigCheckOptions {
   // Surfaces: chosen on the development rooms (alignment_options.h).
   double max_conflict = 0.0275, negligible_violation = 0.004;
+  /// Of sensors that are not calibrated: their surfaces are in each other's way at true poses, too
+  /// (ADR 18).
+  double max_uncalibrated_conflict = 0.055;
   double max_solid_conflict = 0.012, negligible_solid = 12;  // the second in blocks
 
   // Prints that differ, of the texture judged and of a view: sensors of one room leave a tenth of
@@ -34,6 +37,7 @@ struct RigCheckOptions {
   template <class Visit>
   void for_each_field(Visit visit) const {
     visit("max_conflict", max_conflict, Range{1e-6, 1});
+    visit("max_uncalibrated_conflict", max_uncalibrated_conflict, Range{1e-6, 1});
     visit("negligible_violation", negligible_violation, Range{0, 1});
     visit("max_solid_conflict", max_solid_conflict, Range{1e-6, 1});
     visit("negligible_solid", negligible_solid, Range{0, 1e6});

@@ -71,6 +71,17 @@ TEST(RigCheck, a_sensor_whose_wall_stands_in_front_of_the_others_is_contradicted
   EXPECT_EQ(NeighboursCheck({1, 1, 1})(answer), 2u);
 }
 
+TEST(RigCheck, sensors_that_are_not_calibrated_may_be_in_each_others_way) {
+  RigCheckOptions options;
+  options.max_uncalibrated_conflict = 1;
+  options.negligible_solid = 1e6;
+  RigAnswer answer = true_answer(2);
+  put_into_the_wall(answer, 1);
+  EXPECT_TRUE(NeighboursCheck({1, 1})(answer, RigCheck(options)).has_value());
+  for (RefinedSensor& sensor : answer.refined) sensor.uncalibrated_belief = 1;
+  EXPECT_FALSE(NeighboursCheck({1, 1})(answer, RigCheck(options)).has_value());
+}
+
 TEST(RigCheck, of_two_that_contradict_each_other_it_is_not_the_origin) {
   const NeighboursCheck check({1, 1});
   RigAnswer answer = true_answer(2);

@@ -121,13 +121,6 @@ RigScatter rig_scatter(std::span<const ActivePair> pairs, std::span<const Refine
   return scatter;
 }
 
-/// Depth uncertainty given the observed smooth disagreement: an error common to the sensors may be
-/// as large.
-DepthUncertainty doubt_of(const RigScatter& scatter, DepthUncertainty doubt) {
-  doubt.offset_m = std::hypot(doubt.offset_m, scatter.disagreement_m());
-  return doubt;
-}
-
 /// Applies one step; returns the largest component of any motion.
 double move(std::vector<RefinedSensor>& sensors, const RigEquations& equations) {
   const auto steps = equations.solve();
@@ -197,10 +190,13 @@ void add_covariance(std::span<const ActivePair> held, std::size_t origin,
                     const RefinementRules& rules, std::vector<RefinedSensor>& sensors) {
   const float reach_m = rules.refinement.min_reach_m;
   const RigScatter scatter = rig_scatter(held, sensors, rules, reach_m);
-  const auto covariance =
-      rig_equations(held, sensors, origin, rules, reach_m)
-          .motion_covariance(scatter, doubt_of(scatter, rules.refinement.depth_uncertainty));
-  for (std::size_t i = 0; i < sensors.size(); ++i) sensors[i].covariance = covariance[i];
+  const DepthUncertainty& doubt = rules.refinement.depth_uncertainty;
+  const auto covariance = rig_equations(held, sensors, origin, rules, reach_m)
+                              .motion_covariance(scatter, doubt.given(scatter.disagreement_m()));
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    sensors[i].covariance = covariance[i];
+    sensors[i].uncalibrated_belief = doubt.uncalibrated_belief(scatter.disagreement_m());
+  }
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ struct RefinedSensor {
   /// Covariance of (rotation, shift) in the origin's frame, from the equations; 0 for the origin
   /// and for sensors that no pair constrains.
   Matrix6 covariance = Matrix6::Zero();
+  double uncalibrated_belief = 0;  // that the rig's sensors are not calibrated (DepthUncertainty)
 };
 
 /// Chosen on the development rooms (alignment_options.h), unless noted.
