@@ -16,6 +16,7 @@
 #include <boost/beast/http/write.hpp>
 
 #include "roomcast/net/page_policy.h"
+#include "roomcast/net/request_framing.h"
 
 namespace roomcast::net {
 
@@ -167,6 +168,7 @@ void HttpSession::answer_malformed_later(ErrorCode error) {
 
 void HttpSession::answer_request() {
   const auto& request = parser_->get();
+  if (auto refusal = refuse_ambiguous(request)) return send(*std::move(refusal), false);
   const auto host = request[http::field::host];
   if (!options_->names.allows_host({host.data(), host.size()})) {
     return send(

@@ -14,6 +14,7 @@
 #include <openssl/evp.h>
 
 #include "roomcast/net/random_bytes.h"
+#include "roomcast/net/request_framing.h"
 
 namespace roomcast::net {
 
@@ -117,10 +118,7 @@ std::optional<HttpResponse> refuse_upgrade(const RequestHeader& request,
   if (!is_key(field(request, http::field::sec_websocket_key))) {
     return text_response(400, "Sec-WebSocket-Key must be 16 bytes in base64.\n");
   }
-  // Of two, a proxy before this server may have looked at the other one (RFC 9112, section 3.2).
-  if (request.count(http::field::host) > 1 || request.count(http::field::origin) > 1) {
-    return text_response(400, "A request has one Host and at most one Origin.\n");
-  }
+  if (auto refusal = refuse_ambiguous(request)) return refusal;
   const auto origin = request.find(http::field::origin);
   if (origin != request.end() && !names.allows_origin(field(request, http::field::origin),
                                                       field(request, http::field::host))) {
