@@ -3,7 +3,7 @@
 // against the library and run with nothing else. (scripts/package --prove installs them in a fresh Debian.)
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -46,6 +46,15 @@ test('program_finds_its_page_and_has_a_man_page_for_each_command', { skip }, () 
     assert.match(page, /^\.SH NAME$/m);
   }
   assert.ok(existsSync(unpacked('share/roomcast/web/index.html')));
+});
+
+test('program_finds_the_reader_of_oni_files_where_openni_is_built_in', { skip }, (t) => {
+  const [openni] = JSON.parse(run(unpacked('bin/roomcast'), ['devices', '--json'])).kinds.filter(({ kind }) => kind === 'openni2');
+  if (!openni.built_in) return t.skip('built without OpenNI');
+  const file = join(folder, 'no_recording.oni');
+  writeFileSync(file, 'text');
+  const sensor = ['sensor', '--source', `openni2:${file}`, '--hub', 'ws://127.0.0.1:1'];
+  assert.throws(() => run(unpacked('bin/roomcast'), sensor), ({ status, stderr }) => status === 1 && /OpenNI cannot open/.test(stderr));
 });
 
 test('completion_knows_commands_and_their_options', { skip }, () => {

@@ -42,7 +42,7 @@ class Camera {
   [[nodiscard]] virtual const CameraDescription& description() const = 0;
 
   /// Waits up to `patience` and adds new pictures, if any, to `pictures`. kUnavailable: the camera
-  /// is lost. kClosed: a file has ended.
+  /// is lost. kClosed: a file has ended. kMalformed: a file is damaged.
   [[nodiscard]] virtual Status wait(FramePairing& pictures, std::chrono::milliseconds patience) = 0;
 
   /// Locks exposure or white balance, or both, at the current values. Called only for cameras whose

@@ -67,7 +67,9 @@ void CameraSource::capture(const std::stop_token& stop) {
     if (status) {
       lock_when_converged();
     } else if (status.error().code == ErrorCode::kClosed) {
-      hand_over_end();
+      hand_over_end({});
+    } else if (status.error().code == ErrorCode::kMalformed) {
+      hand_over_end(status);
     } else {
       wait_for_reconnection(status, stop);
     }
@@ -93,11 +95,12 @@ void CameraSource::hand_over(CapturedFrame& frame) {
   if (auto unread = newest_.put(std::move(taken))) spare_.put(std::move(unread->frame));
 }
 
-void CameraSource::hand_over_end() {
+void CameraSource::hand_over_end(Status end) {
   has_ended_ = true;
   Taken last;
   if (auto unread = newest_.try_take()) last = *std::move(unread);
   last.is_last = true;
+  last.end = std::move(end);
   newest_.put(std::move(last));
 }
 
@@ -139,14 +142,20 @@ void CameraSource::say(LogLevel level, const std::string& sentence) const {
 }
 
 Result<bool> CameraSource::next(CapturedFrame& frame, std::stop_token stop) {
-  if (reached_end_) return false;
+  if (reached_end_) return after_end();
   auto taken = newest_.take(std::move(stop));
   if (!taken) return false;
   reached_end_ = taken->is_last;
-  if (taken->frame.depth_mm.empty()) return false;
+  if (reached_end_) end_ = std::move(taken->end);
+  if (taken->frame.depth_mm.empty()) return after_end();
   std::swap(frame, taken->frame);
   spare_.put(std::move(taken->frame));
   return true;
+}
+
+Result<bool> CameraSource::after_end() const {
+  if (end_) return false;
+  return end_.error();
 }
 
 SourceHealth CameraSource::health() const {

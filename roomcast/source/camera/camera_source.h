@@ -38,7 +38,8 @@ class CameraSource final : public FrameSource {
 
   [[nodiscard]] const SensorDescription& description() const override { return description_; }
   [[nodiscard]] SourceHealth health() const override;
-  /// Also waits while the camera is lost. Returns false at the end of a file.
+  /// Also waits while the camera is lost. Returns false at the end of a file. kMalformed: the file
+  /// is damaged.
   [[nodiscard]] Result<bool> next(CapturedFrame& frame, std::stop_token stop) override;
 
  private:
@@ -46,6 +47,7 @@ class CameraSource final : public FrameSource {
   struct Taken {
     CapturedFrame frame;
     bool is_last = false;
+    Status end = {};  // of the last one: an error if a file cannot be read further
   };
 
   CameraSource(std::shared_ptr<CameraBackend> backend, const std::string& place,
@@ -54,9 +56,10 @@ class CameraSource final : public FrameSource {
   void capture(const std::stop_token& stop);
   [[nodiscard]] Status take_pictures();
   void hand_over(CapturedFrame& frame);
-  void hand_over_end();
+  void hand_over_end(Status end);
   void lock_when_converged();
   void wait_for_reconnection(const Status& loss, const std::stop_token& stop);
+  [[nodiscard]] Result<bool> after_end() const;
   [[nodiscard]] bool reopen();
   void say(LogLevel level, const std::string& sentence) const;
 
@@ -79,8 +82,10 @@ class CameraSource final : public FrameSource {
   LatestMailbox<CapturedFrame> spare_;  // memory for reuse
   std::atomic<std::uint64_t> unpaired_{0}, losses_{0};
   std::atomic<bool> is_there_{true};
-  bool reached_end_ = false;  // used by the thread that calls next()
-  std::jthread thread_;       // the last member, because the thread uses all others
+  // Used by the thread that calls next().
+  bool reached_end_ = false;
+  Status end_;
+  std::jthread thread_;  // the last member, because the thread uses all others
 };
 
 }  // namespace roomcast::source

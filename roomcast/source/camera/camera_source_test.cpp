@@ -143,5 +143,18 @@ TEST_F(CameraAtWork, unsupported_settings_are_refused_before_it_is_opened) {
   EXPECT_TRUE(backend_->opened_places().empty());
 }
 
+TEST_F(CameraAtWork, a_damaged_file_ends_with_its_reason_after_its_last_frame) {
+  const auto source = open();
+  backend_->show(1);
+  EXPECT_EQ(next(*source), 1);
+  backend_->fail(ErrorCode::kMalformed);
+  for (int i = 0; i < 2; ++i) {
+    const auto more = source->next(frame_, {});
+    ASSERT_FALSE(more.ok());
+    EXPECT_EQ(more.error().code, ErrorCode::kMalformed);
+  }
+  EXPECT_EQ(source->health().disconnect_count, 0U);
+}
+
 }  // namespace
 }  // namespace roomcast::source

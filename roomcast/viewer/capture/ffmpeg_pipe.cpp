@@ -9,10 +9,10 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "roomcast/core/child_program.h"
 #include "roomcast/viewer/capture/video_sink.h"
 
 namespace roomcast::viewer {
@@ -22,37 +22,13 @@ Error ffmpeg_failed(const std::string& what) {
   return {ErrorCode::kUnavailable, "the video could not be written: " + what};
 }
 
-std::vector<std::string> ffmpeg_arguments(const std::filesystem::path& file, PictureSize size,
-                                          int fps) {
+std::vector<std::string> ffmpeg_command(const std::filesystem::path& file, PictureSize size,
+                                        int fps) {
   return {"ffmpeg", "-loglevel", "error", "-nostdin", "-y", "-f", "rawvideo", "-pixel_format",
           "rgb24", "-video_size", fmt::format("{}x{}", size.width, size.height), "-framerate",
           std::to_string(fps), "-i", "pipe:0",
           // Players need even sides and this pixel format.
           "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", file.string()};
-}
-
-/// `input` becomes the program's standard input. The program does not receive the terminal's
-/// Ctrl-C.
-Result<pid_t> spawn(const std::vector<std::string>& arguments, int input) {
-  std::vector<char*> argv;
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  sigset_t none;
-  sigemptyset(&none);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
-  pid_t pid = 0;
-  const int fault = posix_spawnp(&pid, argv[0], &files, &attributes, argv.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&files);
-  if (fault != 0) return ffmpeg_failed("ffmpeg does not start");
-  return pid;
 }
 
 /// For its lifetime, writing to a program that has ended gives an error instead of ending this
@@ -96,10 +72,7 @@ class FfmpegPipe final : public VideoSink {
   Status finish() override {
     if (pid_ == 0) return {};
     ::close(pipe_);
-    int state = 0;
-    while (::waitpid(pid_, &state, 0) < 0 && errno == EINTR) {
-    }
-    pid_ = 0;
+    const int state = wait_for_program(std::exchange(pid_, 0));
     if (WIFEXITED(state) && WEXITSTATUS(state) == 0) return {};
     return ffmpeg_failed("ffmpeg ended with a fault");
   }
@@ -136,11 +109,12 @@ Result<std::unique_ptr<VideoSink>> open_ffmpeg(const std::filesystem::path& file
                                                int fps) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) return ffmpeg_failed("there is no pipe to be had");
-  const auto pid = spawn(ffmpeg_arguments(file, size, fps), ends[0]);
+  const auto pid =
+      start_program(ffmpeg_command(file, size, fps), {.input = ends[0], .shares_stderr = true});
   ::close(ends[0]);
   if (pid) return std::unique_ptr<VideoSink>(std::make_unique<FfmpegPipe>(*pid, ends[1]));
   ::close(ends[1]);
-  return pid.error();
+  return ffmpeg_failed("ffmpeg does not start");
 }
 
 }  // namespace roomcast::viewer

@@ -3,12 +3,11 @@
 
 #include <filesystem>
 
+#include "roomcast/source/drivers/openni2/oni_file_camera.h"
 #include "roomcast/source/drivers/openni2/openni2_device.h"
 
 namespace roomcast::source {
 namespace {
-
-constexpr std::chrono::milliseconds kFileIsOver{500};
 
 class OpenNi2Camera final : public Camera {
  public:
@@ -16,14 +15,14 @@ class OpenNi2Camera final : public Camera {
     on_openni2_thread([this] { device_.reset(); });
   }
 
-  [[nodiscard]] Status open(const CameraInfo& info, bool loop) {
+  [[nodiscard]] Status open(const CameraInfo& info) {
     Status status;
     on_openni2_thread([&] {
       const OpenNi2Session session;
       status = session.status();
       if (!status) return;
       device_ = std::make_unique<OpenNi2Device>(info);
-      status = device_->start(info.place, loop);
+      status = device_->start(info.place, false);
     });
     return status;
   }
@@ -35,9 +34,7 @@ class OpenNi2Camera final : public Camera {
   [[nodiscard]] Status wait(FramePairing& pictures, std::chrono::milliseconds patience) override {
     if (device_->is_gone()) return Error{ErrorCode::kUnavailable, "it was unplugged"};
     const auto is_depth = device_->bell().wait(patience);
-    if (!is_depth) return after_silence(patience);
-    silence_ = silence_.zero();
-    on_openni2_thread([&] { device_->take(*is_depth, pictures); });
+    if (is_depth) on_openni2_thread([&] { device_->take(*is_depth, pictures); });
     return {};
   }
 
@@ -48,16 +45,7 @@ class OpenNi2Camera final : public Camera {
   }
 
  private:
-  /// Detects the end of a file from the lack of pictures: OpenNI does not report it.
-  [[nodiscard]] Status after_silence(std::chrono::milliseconds patience) {
-    silence_ += patience;
-    if (device_->plays_once() && silence_ >= kFileIsOver)
-      return Error{ErrorCode::kClosed, "the file has ended"};
-    return {};
-  }
-
   std::unique_ptr<OpenNi2Device> device_;
-  std::chrono::milliseconds silence_{0};
 };
 
 /// Opens each briefly: only an open device gives its serial number.
@@ -106,10 +94,13 @@ class OpenNi2Backend final : public CameraBackend {
   [[nodiscard]] Result<std::unique_ptr<Camera>> open(const CameraInfo& info,
                                                      const CameraSettings& settings) override {
     std::error_code error;
-    if (plays(info.place) && !std::filesystem::is_regular_file(info.place, error))
-      return Error{ErrorCode::kNotFound, "there is no file " + info.place};
+    if (plays(info.place)) {
+      if (!std::filesystem::is_regular_file(info.place, error))
+        return Error{ErrorCode::kNotFound, "there is no file " + info.place};
+      return open_oni_file(info.place, settings.loop);
+    }
     auto camera = std::make_unique<OpenNi2Camera>();
-    if (Status status = camera->open(info, settings.loop); !status) return status.error();
+    if (Status status = camera->open(info); !status) return status.error();
     return std::unique_ptr<Camera>(std::move(camera));
   }
 };
