@@ -2,6 +2,7 @@
 // roomcast demo: a hub, its sensors and the page in one process, over real loopback connections.
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
@@ -18,7 +19,9 @@
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/web_directory.h"
 #include "roomcast/client/subscriber.h"
+#include "roomcast/hub/daemon/data_folder.h"
 #include "roomcast/hub/daemon/hub_aligners.h"
+#include "roomcast/hub/daemon/hub_recorders.h"
 #include "roomcast/hub/server/hub_server.h"
 #include "roomcast/recording/dataset/recording.h"
 #include "roomcast/sensor/sensor_feed.h"
@@ -42,6 +45,7 @@ struct DemoOptions {
   bool headless = false;
   double seconds = 0;
   bool true_poses = false;
+  std::string recordings;
   bool admin_link = false;
   bool verbose = false;
 };
@@ -153,6 +157,29 @@ Status watch_room(const Feeds& feeds, std::uint16_t port, double seconds,
   return Error{ErrorCode::kUnavailable, "not every sensor sent a picture in time"};
 }
 
+/// Recorders for the page's console; null where there is neither a folder nor a home.
+std::shared_ptr<hub::daemon::HubRecorders> make_recorders(const DemoOptions& options,
+                                                          const LogSink& log) {
+  std::filesystem::path folder = options.recordings;
+  if (folder.empty()) {
+    const auto data = hub::daemon::default_data_folder();
+    if (!data) return nullptr;
+    folder = *data / "recordings";
+  }
+  return std::make_shared<hub::daemon::HubRecorders>(std::move(folder), log);
+}
+
+/// The address of the page, for a person to open. An admin's link has a one-time code: it is no
+/// use in the history of a browser.
+void print_address(const DemoOptions& options, const hub::HubServer& hub) {
+  print_out("roomcast demo: open http://127.0.0.1:{}/{}\n", hub.port(), hub.link_fragment());
+  if (options.admin_link) {
+    print_out(
+        "roomcast demo: the address works once, within an hour; its page makes further ones\n");
+  }
+  std::fflush(stdout);
+}
+
 Status run_demo(const DemoOptions& options) {
   StopOnSignal stop;
   const auto specs = source_specs(options);
@@ -165,17 +192,22 @@ Status run_demo(const DemoOptions& options) {
   hub_options.log = stderr_log("demo", options.verbose);
   hub::daemon::HubAligners aligners(hub_options.log);
   hub_options.on_room_in_use = [&aligners](const std::string& room) { aligners.start(room); };
+  const auto recorders = make_recorders(options, hub_options.log);
+  hub_options.recordings = recorders;
+  if (options.admin_link) {
+    hub_options.first_link = {.room = std::string(hub::kAllRooms), .role = hub::TokenRole::kAdmin};
+  }
   auto hub = hub::HubServer::open(std::move(hub_options));
   if (!hub) return hub.error();
-  aligners.serve({.port = (*hub)->port(), .certificate = {}}, (*hub)->own_token());
+  const hub::daemon::OwnHub own{.port = (*hub)->port(), .certificate = {}};
+  aligners.serve(own, (*hub)->own_token());
+  if (recorders) recorders->serve(own, (*hub)->own_token());
   const std::jthread hub_thread([&hub](const std::stop_token& end) { (*hub)->run(end); });
 
   auto feeds = start_feeds(options, *specs, (*hub)->port(), stop.token());
   if (!feeds) return feeds.error();
   if (stop.token().stop_requested()) return {};
-  print_out("roomcast demo: open http://127.0.0.1:{}/{}\n", (*hub)->port(),
-            options.admin_link ? "#token=" + (*hub)->own_token() : "");
-  std::fflush(stdout);
+  print_address(options, **hub);
   return options.headless ? watch_room(*feeds, (*hub)->port(), options.seconds, stop.token())
                           : show_room(*feeds, options.seconds, stop.token());
 }
@@ -210,7 +242,11 @@ void add_demo_command(CLI::App& app, Command& chosen) {
   command->add_flag("--true-poses", options->true_poses,
                     "Take the poses of simulated sensors from the simulator instead of aligning");
   command->add_flag("--admin-link", options->admin_link,
-                    "Print an address with an admin's token: its user may place sensors by hand");
+                    "Print an address with an admin's one-time code: whoever opens it may record "
+                    "and place sensors by hand");
+  command->add_option("--recordings", options->recordings,
+                      "Folder for recordings by admins (default: "
+                      "~/.local/state/roomcast/recordings)");
   command->add_flag("--verbose", options->verbose, "Log joins and leaves");
   command->footer("Example:\n  roomcast demo\n  roomcast demo --rig recordings/lab");
   command->callback(

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // roomcast demo estimates the poses of its sensors itself; the simulator's true poses are used for comparison only.
 import assert from 'node:assert/strict';
+import { existsSync, statSync } from 'node:fs';
 import { request } from 'node:http';
+import { join } from 'node:path';
 import { test } from 'node:test';
 
 import { writeSmallRig } from './small_rig.mjs';
 import { Program, run, scratchFolder, startHub } from '../cli/program.mjs';
+import { ask, recordingReaches } from './admin.mjs';
+import { writeJoin } from './messages.mjs';
 import { RoomClient } from './room_client.mjs';
 
 const [given, aligned] = [1, 2]; // PLACEMENT_...
 const sensorCount = 2;
 const limitMs = 200_000;
 const exact_m = 0.03;
+const codeUsed = 14; // ERROR_CODE_USED
+const ownerOnly = 0o700;
 
 /** The roster of a demo once all its sensors have this placement. */
 async function placedDemo(t, placement, ...options) {
@@ -77,4 +83,60 @@ test('a_recording_that_is_played_refuses_a_rebound_name', async (t) => {
   const player = new Program(['play', file, '--loop', '--port', '0']);
   t.after(() => player.stop('SIGKILL'));
   await assertRefusesReboundNames(player);
+});
+
+/** A demo with one slow sensor; its port, and the one-time code in the address that it prints. */
+async function demoWithAdminLink(t, options = [], environment = {}) {
+  const args = ['demo', '--port', '0', '--sensors', '1', '--fps', '2', '--true-poses', '--admin-link', ...options];
+  const demo = new Program(args, { limitMs, environment });
+  t.after(() => demo.stop('SIGKILL'));
+  const [, port, code] = await demo.prints(/open http:\/\/127\.0\.0\.1:(\d+)\/#code=([0-9A-Z-]+)\n/);
+  return { demo, port, code, url: `ws://127.0.0.1:${port}` };
+}
+
+test('an_admin_link_of_a_demo_works_once', async (t) => {
+  const { port, code, url } = await demoWithAdminLink(t);
+  const admin = await RoomClient.join(t, url, { code });
+  assert.equal((await ask(port, admin.welcome.token, 'GET', '/tokens')).status, 200);
+  const second = await RoomClient.open(t, url);
+  second.send(writeJoin({ name: 'second', code }));
+  await second.closed;
+  assert.equal(second.errors[0]?.code, codeUsed);
+});
+
+/** Records the demo's room through its console's interface; returns the state of the finished recording. */
+async function recordDemo(t, { port, code, url }) {
+  const { welcome } = await RoomClient.join(t, url, { code });
+  const reaches = (isReached) => recordingReaches(port, welcome.token, 'demo', isReached, limitMs);
+  const begun = await ask(port, welcome.token, 'POST', '/rooms/demo/recording');
+  assert.ok(begun.status < 300, JSON.stringify(begun.body));
+  await reaches(({ state, frames }) => state === 'on' && frames > 1);
+  assert.ok((await ask(port, welcome.token, 'DELETE', '/rooms/demo/recording')).status < 300);
+  return reaches(({ state }) => state === 'off');
+}
+
+async function assertHasFrames(file) {
+  const { code, stdout, stderr } = await run('info', file, '--json');
+  assert.equal(code, 0, stderr);
+  assert.ok(JSON.parse(stdout).sensors[0].frames > 0);
+}
+
+test('a_demo_records_into_a_private_folder_of_its_user', { timeout: limitMs }, async (t) => {
+  const state = scratchFolder(t);
+  const demo = await demoWithAdminLink(t, [], { XDG_STATE_HOME: state });
+  const folder = join(state, 'roomcast', 'recordings');
+  assert.ok(!existsSync(folder), 'a demo that is not recorded leaves no folder');
+  const { file } = await recordDemo(t, demo);
+  assert.ok(file.startsWith(folder), file);
+  assert.equal(statSync(folder).mode & 0o777, ownerOnly);
+  assert.equal(statSync(file).mode & 0o077, 0);
+  await assertHasFrames(file);
+});
+
+test('a_demo_records_into_the_folder_that_is_named', { timeout: limitMs }, async (t) => {
+  const folder = join(scratchFolder(t), 'of', 'mine');
+  const { file } = await recordDemo(t, await demoWithAdminLink(t, ['--recordings', folder]));
+  assert.ok(file.startsWith(folder), file);
+  assert.equal(statSync(folder).mode & 0o777, ownerOnly);
+  await assertHasFrames(file);
 });

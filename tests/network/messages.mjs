@@ -72,11 +72,12 @@ function control(number, write) {
 }
 
 /** Join as a viewer, as `sensor` {fps, worldFromDepth}, or as an aligner. */
-export function writeJoin({ room, name, sensor, aligner, token, redirected }) {
+export function writeJoin({ room, name, sensor, aligner, token, code, redirected }) {
   return control(controls.join, (join) => {
     if (room) join.tag(1, WireType.LengthDelimited).string(room);
     join.tag(2, WireType.LengthDelimited).string(name);
     if (token) join.tag(6, WireType.LengthDelimited).string(token);
+    if (code) join.tag(7, WireType.LengthDelimited).string(code);
     if (redirected) join.tag(8, WireType.Varint).bool(true);
     join.tag(sensor ? 3 : aligner ? 5 : 4, WireType.LengthDelimited).fork();
     if (sensor) writeSensorRole(join, sensor);
@@ -154,10 +155,11 @@ function readControl(bytes) {
 }
 
 function readWelcome(bytes) {
-  const welcome = { sensorId: 0, viewerId: 0 };
+  const welcome = { sensorId: 0, viewerId: 0, token: '' };
   readFields(bytes, (number, reader) => {
     if (number === 2) welcome.sensorId = reader.uint32();
     if (number === 3) welcome.viewerId = reader.uint32();
+    if (number === 6) welcome.token = reader.string();
   });
   return welcome;
 }

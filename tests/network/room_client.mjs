@@ -28,9 +28,9 @@ export class RoomClient {
   }
 
   /** Joins as a viewer, as a sensor if `sensor` is given, or as an aligner; waits for the welcome. */
-  static async join(t, url, { room, name = 'test', sensor, aligner, token, options } = {}) {
+  static async join(t, url, { room, name = 'test', sensor, aligner, token, code, options } = {}) {
     const client = await RoomClient.open(t, url, options);
-    client.send(writeJoin({ room, name, sensor, aligner, token }));
+    client.send(writeJoin({ room, name, sensor, aligner, token, code }));
     await client.until('the welcome', () => client.welcome);
     return client;
   }

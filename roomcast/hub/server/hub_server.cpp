@@ -13,6 +13,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "roomcast/hub/admin/token_request.h"
 #include "roomcast/hub/runtime/room_registry.h"
 #include "roomcast/hub/runtime/shard.h"
 #include "roomcast/hub/server/hub_pages.h"
@@ -25,6 +26,7 @@ namespace {
 namespace asio = boost::asio;
 constexpr std::chrono::seconds kCloseTimeout{3};  // a connection itself takes at most 2 s to close
 constexpr std::chrono::milliseconds kClosePollInterval{10};
+constexpr UnixSeconds kLinkTokenTtl = 24 * 3600;
 constexpr int kAcceptThreadNiceness = 10;  // clients in rooms go before new connections
 
 /// The rooms of the options, replaced and extended by those that the store has.
@@ -34,6 +36,14 @@ std::map<std::string, RoomSettings> rooms_to_open(const HubOptions& options,
   for (const RoomSettings& room : options.rooms) rooms[room.name] = room;
   for (const RoomSettings& room : kept) rooms[room.name] = room;
   return rooms;
+}
+
+/// Of a link with a one-time code for this grant; empty without a grant.
+Result<std::string> make_link_fragment(const std::optional<Grant>& grant, HubStore& store) {
+  if (!grant) return std::string();
+  const auto made = make_token_for({.grant = *grant, .ttl = kLinkTokenTtl, .once = true}, store);
+  if (!made) return made.error();
+  return made->at("fragment").get<std::string>();
 }
 
 std::set<std::string> names_of(const std::vector<RoomSettings>& rooms) {
@@ -46,7 +56,8 @@ std::set<std::string> names_of(const std::vector<RoomSettings>& rooms) {
 
 class HubServer::Loop {
  public:
-  Loop(HubOptions options, std::unique_ptr<HubStore> store, std::optional<net::StaticSite> site);
+  Loop(HubOptions options, std::unique_ptr<HubStore> store, std::string link_fragment,
+       std::optional<net::StaticSite> site);
   ~Loop();
 
   /// Must be called before any room is opened.
@@ -57,6 +68,7 @@ class HubServer::Loop {
   void run(const std::stop_token& stop);
   [[nodiscard]] std::uint16_t port() const { return http_->port(); }
   [[nodiscard]] const std::string& own_token() const { return own_token_; }
+  [[nodiscard]] const std::string& link_fragment() const { return link_fragment_; }
   void replace_tls(std::shared_ptr<const net::TlsServerContext> tls);
 
  private:
@@ -66,6 +78,7 @@ class HubServer::Loop {
 
   HubOptions options_;
   const std::string own_token_;
+  const std::string link_fragment_;
   ConnectionIds connection_ids_;
   UnjoinedCount unjoined_ = 0;
   // One per thread; the first is the rooms'.
@@ -80,8 +93,10 @@ class HubServer::Loop {
 };
 
 HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubStore> store,
-                      std::optional<net::StaticSite> site)
-    : options_(std::move(options)), own_token_(store->sign_own()) {
+                      std::string link_fragment, std::optional<net::StaticSite> site)
+    : options_(std::move(options)),
+      own_token_(store->sign_own()),
+      link_fragment_(std::move(link_fragment)) {
   const std::size_t count = std::max<std::size_t>(options_.threads, 1);
   for (std::size_t i = 0; i < count; ++i) loops_.push_back(std::make_unique<asio::io_context>(1));
   store_worker_ = std::make_unique<StoreWorker>(std::move(store), io());
@@ -235,7 +250,10 @@ Result<std::unique_ptr<HubServer>> HubServer::open(HubOptions options) {
     if (!known) return known.error();
     sensors[name] = *std::move(known);
   }
-  auto loop = std::make_unique<Loop>(std::move(options), *std::move(store), std::move(site));
+  auto link = make_link_fragment(options.first_link, **store);
+  if (!link) return link.error();
+  auto loop = std::make_unique<Loop>(std::move(options), *std::move(store), *std::move(link),
+                                     std::move(site));
   if (auto status = loop->open_backplane(); !status) return status.error();
   loop->open_rooms(rooms, std::move(sensors));
   if (auto status = loop->listen(); !status) return status.error();
@@ -248,6 +266,10 @@ std::uint16_t HubServer::port() const {
 
 const std::string& HubServer::own_token() const {
   return loop_->own_token();
+}
+
+const std::string& HubServer::link_fragment() const {
+  return loop_->link_fragment();
 }
 
 void HubServer::replace_tls(std::shared_ptr<const net::TlsServerContext> tls) {

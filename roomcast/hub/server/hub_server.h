@@ -18,6 +18,7 @@
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
 #include "roomcast/hub/access/ban_list.h"
+#include "roomcast/hub/access/claims.h"
 #include "roomcast/hub/config/room_settings.h"
 #include "roomcast/hub/runtime/backplane.h"
 #include "roomcast/hub/runtime/room_recordings.h"
@@ -59,14 +60,15 @@ struct HubOptions {
   std::function<void(const std::string& room)> on_room_in_use = {};
   std::shared_ptr<RoomRecordings> recordings = {};  // null: rooms cannot be recorded
   OpenBackplane open_backplane = {};                // connects to other hubs; empty: there are none
+  std::optional<Grant> first_link = {};             // makes link_fragment() a link with this grant
   LogSink log = {};                                 // called from all threads
 };
 
 class HubServer {
  public:
   /// Listens at once; clients are served once run() runs. kUnavailable: the port is in use, or the
-  /// store cannot be opened. kInvalidArgument: an invalid address or room. kNotFound: no page in
-  /// the web directory. Also the errors of open_backplane.
+  /// store cannot be opened. kInvalidArgument: an invalid address, room or grant. kNotFound: no
+  /// page in the web directory. Also the errors of open_backplane.
   static Result<std::unique_ptr<HubServer>> open(HubOptions options);
   ~HubServer();
 
@@ -74,6 +76,11 @@ class HubServer {
 
   /// An admin token for helpers in this process; valid for all rooms while the hub runs.
   [[nodiscard]] const std::string& own_token() const;
+
+  /// "#code=...", to be appended to the page's address: a one-time code for the grant of
+  /// `first_link`, to be used within HubStore::kCodeTtl. Its token is valid for a day. Empty: no
+  /// link was asked for.
+  [[nodiscard]] const std::string& link_fragment() const;
 
   /// Replaces the certificate for new connections. Only for a hub that was opened with TLS.
   void replace_tls(std::shared_ptr<const net::TlsServerContext> tls);
