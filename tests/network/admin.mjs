@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Client of the hub's HTTP interface (docs/spec/admin.openapi.yaml), and the tokens for it.
+import { setTimeout as delay } from 'node:timers/promises';
+
 import { run } from '../cli/program.mjs';
 
 /** The token that `roomcast token` prints. */
@@ -18,4 +20,18 @@ export async function ask(port, token, method, path, body) {
   });
   const text = await answer.text();
   return { status: answer.status, body: text === '' ? undefined : JSON.parse(text) };
+}
+
+/**
+ * Waits until `isReached(state)` of a room's recording; resolves to that state. Throws if the recording failed, or after
+ * `within_ms`.
+ */
+export async function recordingReaches(port, token, room, isReached, within_ms = 10_000) {
+  const deadline = Date.now() + within_ms;
+  for (;;) {
+    const { body: now } = await ask(port, token, 'GET', `/rooms/${room}/recording`);
+    if (isReached(now)) return now;
+    if (now.state === 'failed' || Date.now() > deadline) throw new Error(`the recording: ${JSON.stringify(now)}`);
+    await delay(5);
+  }
 }

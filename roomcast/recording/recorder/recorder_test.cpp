@@ -2,6 +2,7 @@
 #include "roomcast/recording/recorder/recorder.h"
 
 #include <csignal>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -107,14 +108,35 @@ TEST_F(RecorderTest, a_single_frame_is_on_disk_within_a_second) {
   }));
 }
 
+/// How often to begin and end a recording. Many: ROOMCAST_RECORDINGS=10000 roomcast_recorder_test
+int rounds_wanted() {
+  const char* const wanted = std::getenv("ROOMCAST_RECORDINGS");
+  return wanted == nullptr ? 100 : std::atoi(wanted);
+}
+
 /// The chunk is looked at all the time, so finish() often meets a timer that is due already.
 TEST_F(RecorderTest, finish_ends_although_a_timer_is_due) {
   RecorderOptions options;
   options.look_after_chunk = nanoseconds(0);
-  for (int round = 0; round < 100; ++round) {
-    path = folder / (std::to_string(round) + ".mcap");
+  for (int round = 0; round < rounds_wanted(); ++round) {
     ASSERT_TRUE(open(options).ok());
     ASSERT_TRUE(recorder->finish().ok());
+    std::filesystem::remove(path);
+  }
+}
+
+TEST_F(RecorderTest, finish_ends_in_the_midst_of_frames) {
+  for (int round = 0; round < rounds_wanted(); ++round) {
+    ASSERT_TRUE(open().ok());
+    say_roster();
+    say_frame(0, 0);
+    ASSERT_TRUE(within_5_s([&] { return recorder->stats().frames > 0; }));
+    for (int instant = 1; instant < round % 5; ++instant) say_frame(round % 2, instant);
+    ASSERT_TRUE(recorder->finish().ok());
+    const auto file = RoomRecording::open(path);
+    ASSERT_TRUE(file.ok()) << file.error().message;
+    EXPECT_FALSE(file->damage().has_value());
+    std::filesystem::remove(path);
   }
 }
 
