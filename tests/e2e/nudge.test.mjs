@@ -13,6 +13,7 @@ import { sensorsOf, slow, until, untilAllShown } from './waiting.mjs';
 
 const off_m = 0.08; // error of the pose that the user sets
 const exact_m = 0.04;
+const solved_ms = 150_000; // drawing by software leaves the aligner, which is niced, a tenth of a core
 
 describe('an unplaced sensor', () => {
   const folder = mkdtempSync(join(tmpdir(), 'roomcast-nudge-'));
@@ -55,7 +56,7 @@ describe('an unplaced sensor', () => {
   test('the console shows it as unplaced, and advice', slow, async () => {
     await button('Console').click();
     await page.getByRole('tab', { name: 'Alignment' }).click();
-    const text = await until('why', places, (said) => /not placed[\s\S]*hardly any texture/.test(said));
+    const text = await until('why', places, (said) => /not placed[\s\S]*hardly any texture/.test(said), solved_ms);
     assert.match(text, /What helps/);
   });
 
@@ -90,9 +91,9 @@ describe('an unplaced sensor', () => {
     await button('Where I stand and look').click();
     assert.ok(distance((await lone()).drawnAt, [truth[3] + off_m, truth[7], truth[11]]) < 1e-3, 'shown there at once');
     await button('Try (Enter)').click();
-    await until('placed', places, (said) => /s1[\s\S]*placed, expected error/.test(said));
+    const said = await until('placed', places, (text) => /s1[\s\S]*placed, expected error/.test(text), solved_ms);
     const left_m = fromTruth_m(await lone());
-    assert.ok(left_m < exact_m, `${left_m} m from where it stands`);
+    assert.ok(left_m < exact_m, `${left_m} m from where it stands: ${said}`);
     assert.deepEqual(page.complaints, []);
   });
 });
