@@ -4,6 +4,13 @@
 #include <utility>
 
 namespace roomcast::viewer {
+namespace {
+
+HostTime host_now() {
+  return SteadyClock().now();
+}
+
+}  // namespace
 
 GLuint GlQueryKind::create() {
   GLuint name = 0;
@@ -17,7 +24,9 @@ void GlQueryKind::destroy(GLuint name) {
 
 void DrawTimer::begin() {
   measures_ = begun_ - taken_ < kInFlight;  // else the GPU is far behind: skip this picture
-  if (measures_) glBeginQuery(GL_TIME_ELAPSED, queries_[begun_ % kInFlight].name());
+  if (!measures_) return;
+  begins_[begun_ % kInFlight] = host_now();
+  glBeginQuery(GL_TIME_ELAPSED, queries_[begun_ % kInFlight].name());
 }
 
 void DrawTimer::end() {
@@ -35,8 +44,9 @@ std::optional<nanoseconds> DrawTimer::take() {
     if (is_finished == GL_FALSE) break;
     GLuint64 elapsed_ns = 0;
     glGetQueryObjectui64v(query, GL_QUERY_RESULT, &elapsed_ns);
-    newest = nanoseconds(elapsed_ns);
+    const nanoseconds longest = host_now() - begins_[taken_ % kInFlight];
     ++taken_;
+    if (elapsed_ns <= static_cast<GLuint64>(longest.count())) newest = nanoseconds(elapsed_ns);
   }
   return newest;
 }

@@ -20,7 +20,8 @@ struct GlQueryKind {
 };
 using GlQuery = render::GlObject<GlQueryKind>;
 
-/// Measures the GPU time of pictures without waiting for the GPU.
+/// Measures the GPU time of pictures without waiting for the GPU. Drivers exist whose answers are
+/// longer than the time since begin(): those are dropped.
 class DrawTimer {
  public:
   void begin();
@@ -32,6 +33,7 @@ class DrawTimer {
   static constexpr std::size_t kInFlight = 4;
   std::array<GlQuery, kInFlight> queries_ = {GlQuery::create(), GlQuery::create(),
                                              GlQuery::create(), GlQuery::create()};
+  std::array<HostTime, kInFlight> begins_{};
   std::size_t begun_ = 0, taken_ = 0;  // running counts
   bool measures_ = false;
 };

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include "roomcast/render/gl/gl_fixture.h"
@@ -76,6 +79,21 @@ TEST_F(RoomPictureTest, drawing_is_measured_when_it_is_finished) {
   ASSERT_TRUE(time);
   EXPECT_GT(time->count(), 0);
   EXPECT_FALSE(picture->take_drawing_time()) << "each time is returned once";
+}
+
+void EPOXY_CALLSPEC answer_with_the_uptime(GLuint, GLenum, GLuint64* elapsed_ns) {
+  *elapsed_ns = 4'933'516'600'000;
+}
+
+TEST_F(RoomPictureTest, a_drawing_time_longer_than_the_time_since_its_begin_is_not_believed) {
+  const auto driver = std::exchange(epoxy_glGetQueryObjectui64v, answer_with_the_uptime);
+  ASSERT_TRUE(picture->draw(*view, camera, render::RenderMode::kMesh).ok());
+  glFinish();
+  EXPECT_FALSE(picture->take_drawing_time());
+  epoxy_glGetQueryObjectui64v = driver;
+  ASSERT_TRUE(picture->draw(*view, camera, render::RenderMode::kMesh).ok());
+  glFinish();
+  EXPECT_TRUE(picture->take_drawing_time()) << "the next one is";
 }
 
 }  // namespace
