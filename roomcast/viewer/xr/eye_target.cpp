@@ -64,28 +64,31 @@ void EyeTarget::show(const render::OffscreenTarget& picture) {
 }
 
 /// Copies without conversion: both images contain sRGB bytes, whatever the destination's format.
-Status EyeTarget::copy(const render::OffscreenTarget& picture) {
+/// Images that were acquired without a picture are used in the next frame.
+Result<bool> EyeTarget::copy(const render::OffscreenTarget& picture) {
   const auto color = color_.acquire();
   if (!color) return color.error();
+  const auto depth = depth_ && *color ? depth_->acquire() : Result(std::optional<GLuint>());
+  if (!depth) return depth.error();
+  if (!*color || (depth_ && !*depth)) return false;
   const GLuint framebuffer = framebuffer_.name();
-  glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, *color, 0);
-  GLbitfield parts = GL_COLOR_BUFFER_BIT;
-  if (depth_) {
-    const auto depth = depth_->acquire();
-    if (!depth) return depth.error();
-    glNamedFramebufferTexture(framebuffer, GL_DEPTH_ATTACHMENT, *depth, 0);
-    parts |= GL_DEPTH_BUFFER_BIT;
-  }
+  glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, **color, 0);
+  if (depth_) glNamedFramebufferTexture(framebuffer, GL_DEPTH_ATTACHMENT, **depth, 0);
+  const GLbitfield parts = GL_COLOR_BUFFER_BIT | (depth_ ? GL_DEPTH_BUFFER_BIT : 0);
   glDisable(GL_FRAMEBUFFER_SRGB);
   glDisable(GL_SCISSOR_TEST);
   const auto [width, height] = picture_.part;
   const int left = number_ * picture.width() + picture_.left, bottom = picture_.bottom;
   glBlitNamedFramebuffer(picture.framebuffer(), framebuffer, left, bottom, left + width,
                          bottom + height, 0, 0, width, height, parts, GL_NEAREST);
-  if (depth_) {
-    if (auto status = depth_->release(); !status) return status;
-  }
-  return color_.release();
+  if (auto status = release(); !status) return status.error();
+  return true;
+}
+
+Status EyeTarget::release() {
+  Status depth = depth_ ? depth_->release() : Status();
+  Status color = color_.release();
+  return depth ? color : depth;
 }
 
 XrCompositionLayerProjectionView EyeTarget::layer() {

@@ -28,15 +28,17 @@ class EyeTarget {
   /// Copies this eye's part.
   void show(const render::OffscreenTarget& picture);
 
-  /// The result of the last show().
-  [[nodiscard]] const Status& shown() const { return shown_; }
+  /// The result of the last show(): false if the headset gave no image for it in time, so that this
+  /// frame has no picture. Errors as Swapchain's.
+  [[nodiscard]] const Result<bool>& shown() const { return shown_; }
   /// For xrEndFrame, after show(); contains pointers into this object.
   [[nodiscard]] XrCompositionLayerProjectionView layer();
 
  private:
   EyeTarget(Swapchain color, int number) : color_(std::move(color)), number_(number) {}
   friend void draw_alike(EyeTarget& left, EyeTarget& right);
-  Status copy(const render::OffscreenTarget& picture);
+  Result<bool> copy(const render::OffscreenTarget& picture);
+  Status release();
 
   Swapchain color_;
   int number_;
@@ -44,7 +46,7 @@ class EyeTarget {
   render::GlFramebuffer framebuffer_ = render::GlFramebuffer::create();
   EyePicture picture_;
   XrPosef pose_{};
-  Status shown_;
+  Result<bool> shown_ = false;
   XrCompositionLayerDepthInfoKHR depth_info_{};
 };
 

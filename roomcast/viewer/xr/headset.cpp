@@ -197,13 +197,22 @@ void Headset::show(const render::OffscreenTarget& picture) {
   for (EyeTarget& eye : eyes_) eye.show(picture);
 }
 
-Status Headset::end_frame() {
-  Status fault;
-  std::array<XrCompositionLayerProjectionView, kEyes> views;
-  for (std::size_t eye = 0; eye < kEyes; ++eye) {
-    if (frame_is_seen_ && !eyes_[eye].shown()) fault = eyes_[eye].shown();
-    views[eye] = eyes_[eye].layer();
+/// Whether both eyes have this frame's picture. Where the headset gives an image too late, nothing
+/// is shown for this frame, and the next one has a picture again.
+Result<bool> Headset::has_pictures() const {
+  if (!frame_is_seen_) return false;
+  bool has_all = true;
+  for (const EyeTarget& eye : eyes_) {
+    if (!eye.shown()) return eye.shown().error();
+    has_all &= *eye.shown();
   }
+  return has_all;
+}
+
+Status Headset::end_frame() {
+  const Result<bool> has_layer = has_pictures();
+  std::array<XrCompositionLayerProjectionView, kEyes> views;
+  for (std::size_t eye = 0; eye < kEyes; ++eye) views[eye] = eyes_[eye].layer();
   auto layer = xr_struct<XrCompositionLayerProjection>(XR_TYPE_COMPOSITION_LAYER_PROJECTION);
   layer.space = stage_;
   layer.viewCount = kEyes;
@@ -212,12 +221,12 @@ Status Headset::end_frame() {
   auto info = xr_struct<XrFrameEndInfo>(XR_TYPE_FRAME_END_INFO);
   info.displayTime = frame_.predictedDisplayTime;
   info.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
-  info.layerCount = frame_is_seen_ && fault ? 1 : 0;
+  info.layerCount = has_layer && *has_layer ? 1 : 0;
   info.layers = &base;
   const XrResult ended = xrEndFrame(session_, &info);
   timing_.add(frame_.predictedDisplayTime, frame_.predictedDisplayPeriod,
               clock_.now() - frame_begin_);
-  if (!fault) return fault;
+  if (!has_layer) return has_layer.error();
   return xr_status(ended, "handing a frame over to the headset");
 }
 

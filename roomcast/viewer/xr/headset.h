@@ -73,6 +73,7 @@ class Headset {
   Status create_eyes();
   Status take(const XrEventDataSessionStateChanged& change);
   Status locate_eyes(VrInput& input);
+  [[nodiscard]] Result<bool> has_pictures() const;
 
   SteadyClock clock_;
   Runtime runtime_;

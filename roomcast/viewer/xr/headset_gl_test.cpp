@@ -162,6 +162,32 @@ TEST_F(HeadsetTest, a_runtime_without_depth_layers_gets_no_depth) {
   EXPECT_FALSE(runtime.given[0].color.empty());
 }
 
+TEST_F(HeadsetTest, an_image_that_comes_late_costs_one_frame) {
+  open();
+  for (const std::size_t late : {0U, 1U, 2U, 3U}) {  // colour and depth of each eye
+    const auto before = runtime.frames_with_layer;
+    runtime.image_waits.assign(late, XR_SUCCESS);
+    runtime.image_waits.push_back(XR_TIMEOUT_EXPIRED);
+    const Status skipped = draw();
+    EXPECT_TRUE(skipped.ok()) << skipped.error().message;
+    EXPECT_EQ(runtime.frames_with_layer, before);
+    ASSERT_TRUE(draw().ok());
+    EXPECT_EQ(runtime.frames_with_layer, before + 1);
+    EXPECT_EQ(runtime.acquired_images, 0);
+    EXPECT_LT(share_of_other_pixels(runtime.given[1].color, mono_picture(*room, runtime.given[1])),
+              1e-3);
+  }
+}
+
+TEST_F(HeadsetTest, can_go_on_after_a_wait_for_depth_that_failed) {
+  open();
+  runtime.image_waits = {XR_SUCCESS, XR_ERROR_RUNTIME_FAILURE};
+  EXPECT_FALSE(draw().ok());
+  ASSERT_TRUE(draw().ok());
+  EXPECT_EQ(runtime.frames_with_layer, 1U);
+  EXPECT_EQ(runtime.acquired_images, 0);
+}
+
 TEST_F(HeadsetTest, wants_no_frames_while_it_is_taken_off_and_goes_on_afterwards) {
   open();
   ASSERT_TRUE(draw().ok());

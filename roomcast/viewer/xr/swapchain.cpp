@@ -13,7 +13,7 @@
 namespace roomcast::viewer::xr {
 namespace {
 
-constexpr XrDuration kImageWithin_ns = 1'000'000'000;
+constexpr XrDuration kImageWithin_ns = 100'000'000;  // a few frames of the slowest headset
 
 }  // namespace
 
@@ -58,21 +58,30 @@ Status Swapchain::find_textures() {
   return {};
 }
 
-Result<GLuint> Swapchain::acquire() {
-  std::uint32_t index = 0;
-  ROOMCAST_XR_TRY(xrAcquireSwapchainImage(handle_, nullptr, &index), "asking for the next picture");
-  auto wait = xr_struct<XrSwapchainImageWaitInfo>(XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO);
-  wait.timeout = kImageWithin_ns;
-  const XrResult waited = xrWaitSwapchainImage(handle_, &wait);
-  if (waited == XR_TIMEOUT_EXPIRED)
-    return Error{ErrorCode::kUnavailable, "the headset keeps its pictures to itself"};
-  ROOMCAST_XR_TRY(waited, "waiting for the next picture");
-  if (index >= textures_.size())
-    return Error{ErrorCode::kUnavailable, "the headset's software names a picture it has not got"};
-  return textures_[index];
+Result<std::optional<GLuint>> Swapchain::acquire() {
+  if (!acquired_) {
+    std::uint32_t index = 0;
+    ROOMCAST_XR_TRY(xrAcquireSwapchainImage(handle_, nullptr, &index),
+                    "asking for the next picture");
+    if (index >= textures_.size())
+      return Error{ErrorCode::kUnavailable,
+                   "the headset's software names a picture it has not got"};
+    acquired_ = index;
+    may_be_drawn_ = false;
+  }
+  if (!may_be_drawn_) {
+    auto wait = xr_struct<XrSwapchainImageWaitInfo>(XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO);
+    wait.timeout = kImageWithin_ns;
+    const XrResult waited = xrWaitSwapchainImage(handle_, &wait);
+    if (waited == XR_TIMEOUT_EXPIRED) return std::optional<GLuint>();
+    ROOMCAST_XR_TRY(waited, "waiting for the next picture");
+    may_be_drawn_ = true;
+  }
+  return std::optional(textures_[*acquired_]);
 }
 
 Status Swapchain::release() {
+  acquired_.reset();
   return xr_status(xrReleaseSwapchainImage(handle_, nullptr), "handing over a picture");
 }
 
@@ -83,12 +92,16 @@ Swapchain::~Swapchain() {
 Swapchain::Swapchain(Swapchain&& other) noexcept
     : handle_(std::exchange(other.handle_, XR_NULL_HANDLE)),
       size_(other.size_),
-      textures_(std::move(other.textures_)) {}
+      textures_(std::move(other.textures_)),
+      acquired_(other.acquired_),
+      may_be_drawn_(other.may_be_drawn_) {}
 
 Swapchain& Swapchain::operator=(Swapchain&& other) noexcept {
   std::swap(handle_, other.handle_);
   std::swap(size_, other.size_);
   std::swap(textures_, other.textures_);
+  std::swap(acquired_, other.acquired_);
+  std::swap(may_be_drawn_, other.may_be_drawn_);
   return *this;
 }
 

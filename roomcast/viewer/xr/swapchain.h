@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,9 +32,11 @@ class Swapchain {
   [[nodiscard]] XrSwapchain handle() const { return handle_; }
   [[nodiscard]] PictureSize size() const { return size_; }
 
-  /// The texture to draw into, once the headset no longer shows it. Errors as xr_status.
-  Result<GLuint> acquire();
-  /// Marks the image as ready to show. Only after acquire().
+  /// The texture to draw into, once the headset no longer shows it. Empty if the headset does not
+  /// give it up in time: then draw nothing, and call acquire() again for the next frame; the same
+  /// after a texture that was not released. Errors as xr_status.
+  Result<std::optional<GLuint>> acquire();
+  /// Marks the image as ready to show. Only after acquire() gave a texture.
   Status release();
 
  private:
@@ -43,6 +46,8 @@ class Swapchain {
   XrSwapchain handle_ = XR_NULL_HANDLE;
   PictureSize size_;
   std::vector<GLuint> textures_;
+  std::optional<std::uint32_t> acquired_;  // from acquire() to release()
+  bool may_be_drawn_ = false;              // the acquired one: waited for
 };
 
 }  // namespace roomcast::viewer::xr

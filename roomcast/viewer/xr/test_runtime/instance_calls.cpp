@@ -37,6 +37,7 @@ XRAPI_ATTR XrAnswer XRAPI_CALL enumerate_extensions(const char*, std::uint32_t c
 
 XRAPI_ATTR XrAnswer XRAPI_CALL create_instance(const XrInstanceCreateInfo* info,
                                                XrInstance* instance) {
+  if (!TestRuntime::instance().service_runs) return XR_ERROR_RUNTIME_FAILURE;
   for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i) {
     bool known = false;
     for (const std::string& name : offered()) known |= name == info->enabledExtensionNames[i];

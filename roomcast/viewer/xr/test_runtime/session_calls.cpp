@@ -132,6 +132,7 @@ SwapchainRecord& record_of(XrSwapchain chain) {
 
 XRAPI_ATTR XrResult XRAPI_CALL destroy_swapchain(XrSwapchain handle) {
   const std::unique_ptr<SwapchainRecord> chain(&record_of(handle));
+  if (chain->acquired >= 0) --TestRuntime::instance().acquired_images;
   glDeleteTextures(static_cast<GLsizei>(chain->textures.size()), chain->textures.data());
   --TestRuntime::instance().open_handles;
   return XR_SUCCESS;
@@ -143,6 +144,7 @@ XRAPI_ATTR XrResult XRAPI_CALL acquire_image(XrSwapchain handle, const XrSwapcha
   if (chain.acquired >= 0)
     return violation("a picture acquired before the last was released",
                      XR_ERROR_CALL_ORDER_INVALID);
+  ++TestRuntime::instance().acquired_images;
   chain.acquired = static_cast<int>(chain.next);
   chain.waited = false;
   *index = chain.next;
@@ -154,8 +156,12 @@ XRAPI_ATTR XrResult XRAPI_CALL wait_image(XrSwapchain handle, const XrSwapchainI
   SwapchainRecord& chain = record_of(handle);
   if (chain.acquired < 0)
     return violation("a picture waited for before it was acquired", XR_ERROR_CALL_ORDER_INVALID);
-  chain.waited = true;
-  return XR_SUCCESS;
+  if (chain.waited) return violation("a picture waited for twice", XR_ERROR_CALL_ORDER_INVALID);
+  auto& scripted = TestRuntime::instance().image_waits;
+  const XrResult result = scripted.empty() ? XR_SUCCESS : scripted.front();
+  if (!scripted.empty()) scripted.pop_front();
+  chain.waited = result == XR_SUCCESS;
+  return result;
 }
 
 XRAPI_ATTR XrResult XRAPI_CALL release_image(XrSwapchain handle,
@@ -163,6 +169,7 @@ XRAPI_ATTR XrResult XRAPI_CALL release_image(XrSwapchain handle,
   SwapchainRecord& chain = record_of(handle);
   if (chain.acquired < 0 || !chain.waited)
     return violation("a picture released without a wait", XR_ERROR_CALL_ORDER_INVALID);
+  --TestRuntime::instance().acquired_images;
   chain.released = chain.acquired;
   chain.acquired = -1;
   return XR_SUCCESS;

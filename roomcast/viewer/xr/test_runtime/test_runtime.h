@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <string>
@@ -54,12 +55,14 @@ class TestRuntime {
   // Set by the test.
   std::function<XrPosef(XrTime)> head_at;  // in the stage
   ScriptedHands hands;
+  bool service_runs = true;  // else no instance can be created
   bool is_connected = true;  // whether there is a headset
   bool offers_depth = true;
-  bool is_tracked = true;  // whether the head is tracked
-  bool is_seen = true;     // false: another program is in front
-  float cant_rad = 0;      // each display is turned outwards by this angle, about y
-  void take_off();         // ends rendering; the session resumes at put_on()
+  bool is_tracked = true;            // whether the head is tracked
+  bool is_seen = true;               // false: another program is in front
+  std::deque<XrResult> image_waits;  // results of the next waits for images; then XR_SUCCESS
+  float cant_rad = 0;                // each display is turned outwards by this angle, about y
+  void take_off();                   // ends rendering; the session resumes at put_on()
   void put_on();
   void ask_for_end();
   void lose_session();
@@ -71,6 +74,7 @@ class TestRuntime {
   std::array<GivenEye, 2> given;  // of the last layer
   bool uses_egl = false;          // whether the client's context is EGL's, else GLX's
   int open_handles = 0;           // spaces, swapchains, action sets
+  int acquired_images = 0;        // and not released
 
  private:
   TestRuntime();
