@@ -304,12 +304,41 @@ TEST_F(HeadsetTest, without_a_headset_the_error_is_a_sentence) {
   EXPECT_EQ(none.error().message, "no headset is connected: connect it, or wake it up");
 }
 
-TEST_F(HeadsetTest, without_a_runtime_the_error_is_a_sentence) {
-  ::setenv("XR_RUNTIME_JSON", "/nonexistent/runtime.json", 1);
+TEST_F(HeadsetTest, without_its_service_the_error_is_a_sentence) {
+  runtime.service_runs = false;
   const auto none = Headset::open();
   ASSERT_FALSE(none.ok());
-  EXPECT_NE(none.error().message.find("no headset software runs here"), std::string::npos)
-      << none.error().message;
+  EXPECT_EQ(none.error().message,
+            "the headset's software does not answer: start its service (SteamVR, monado-service, "
+            "...), and connect the headset");
+}
+
+TEST_F(HeadsetTest, a_wrong_name_of_the_runtime_is_in_the_error) {
+  const TemporaryFolder folder;
+  const auto missing = folder / "typo.json", malformed = folder / "malformed.json",
+             without_library = folder / "without_library.json";
+  std::ofstream(malformed) << "{";
+  std::ofstream(without_library)
+      << R"({"file_format_version": "1.0.0", "runtime": {"library_path": "/nonexistent.so"}})";
+  for (const auto& named : {missing, malformed, without_library}) {
+    ::setenv("XR_RUNTIME_JSON", named.c_str(), 1);
+    const auto none = Headset::open();
+    ASSERT_FALSE(none.ok());
+    EXPECT_EQ(none.error().message.find("XR_RUNTIME_JSON is \"" + named.string() + "\""), 0U)
+        << none.error().message;
+  }
+}
+
+TEST_F(HeadsetTest, without_a_runtime_the_error_is_a_sentence) {
+  ::unsetenv("XR_RUNTIME_JSON");
+  const TemporaryFolder empty;
+  for (const char* const folders : {"XDG_CONFIG_HOME", "XDG_CONFIG_DIRS", "XDG_DATA_DIRS"})
+    ::setenv(folders, empty.path().c_str(), 1);
+  const auto none = Headset::open();
+  for (const char* const folders : {"XDG_CONFIG_HOME", "XDG_CONFIG_DIRS", "XDG_DATA_DIRS"})
+    ::unsetenv(folders);
+  ASSERT_FALSE(none.ok());
+  EXPECT_EQ(none.error().message.find("no headset software runs here"), 0U) << none.error().message;
 }
 
 // Runs with Khronos's validation layer, which does not support EGL contexts; so this context is

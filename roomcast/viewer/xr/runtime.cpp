@@ -42,7 +42,12 @@ Result<XrInstance> create_instance(const std::vector<const char*>& extensions) {
   info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
   info.enabledExtensionNames = extensions.data();
   XrInstance instance = XR_NULL_HANDLE;
-  ROOMCAST_XR_TRY(xrCreateInstance(&info, &instance), "connecting to the headset's software");
+  const XrResult created = xrCreateInstance(&info, &instance);
+  if (created == XR_ERROR_RUNTIME_FAILURE || created == XR_ERROR_INITIALIZATION_FAILED)
+    return unavailable(
+        "the headset's software does not answer: start its service (SteamVR, monado-service, ...), "
+        "and connect the headset");
+  ROOMCAST_XR_TRY(created, "connecting to the headset's software");
   return instance;
 }
 
