@@ -3,16 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace roomcast::viewer {
 namespace {
 
 using Severity = RoomProblem::Severity;
+constexpr std::string_view kEnds = ".?!";
 using Seconds = std::chrono::duration<double>;
 
+/// Sentences from elsewhere may end with a question, or with the end of a line.
 std::string with_full_stop(std::string sentence) {
-  if (!sentence.empty() && sentence.back() != '.') sentence += '.';
-  return sentence;
+  sentence.erase(sentence.find_last_not_of(" \t\r\n") + 1);
+  const bool has_end = !sentence.empty() && kEnds.find(sentence.back()) != kEnds.npos;
+  return has_end ? sentence : sentence + '.';
 }
 
 RoomProblem lost_hub(const client::RoomSnapshot& room) {

@@ -53,6 +53,14 @@ TEST(RoomProblems, a_lost_hub_is_the_only_one_that_matters) {
             "it is tried again.");
 }
 
+TEST(RoomProblems, a_reason_that_asks_gets_no_full_stop) {
+  client::RoomSnapshot room;
+  room.problem = "no program listens at ws://lab:7600; is the hub running?\n";
+  EXPECT_EQ(room_problems(room, kNow).at(0).sentence,
+            "The hub is lost: no program listens at ws://lab:7600; is the hub running? The last "
+            "pictures are shown; it is tried again.");
+}
+
 TEST(RoomProblems, a_sensor_that_left_is_named) {
   client::RoomSnapshot room = good_room();
   room.sensors[1].online = false;
