@@ -17,24 +17,45 @@ constexpr double kLongestStep_s = 0.1;
 
 constexpr double kSpeedPerNotch = 0.2;
 constexpr double kStickTurn_rad_per_s = 1.9;
+constexpr double kKeyTurn_rad_per_s = 1.2;  // as on the page
 
-/// Forward, right, up.
-Eigen::Vector3d step_of(WalkKey key) {
+/// Per unit of the speed: forward, right, up; and turning to the left and upwards.
+struct Motion {
+  Eigen::Vector3d step = Eigen::Vector3d::Zero();
+  double yaw = 0, pitch = 0;
+
+  Motion& operator+=(const Motion& other) {
+    step += other.step;
+    yaw += other.yaw;
+    pitch += other.pitch;
+    return *this;
+  }
+};
+
+Motion motion_of(WalkKey key) {
   switch (key) {
     case WalkKey::kForward:
-      return {1, 0, 0};
+      return {{1, 0, 0}};
     case WalkKey::kBack:
-      return {-1, 0, 0};
+      return {{-1, 0, 0}};
     case WalkKey::kLeft:
-      return {0, -1, 0};
+      return {{0, -1, 0}};
     case WalkKey::kRight:
-      return {0, 1, 0};
+      return {{0, 1, 0}};
     case WalkKey::kUp:
-      return {0, 0, 1};
+      return {{0, 0, 1}};
     case WalkKey::kDown:
-      return {0, 0, -1};
+      return {{0, 0, -1}};
+    case WalkKey::kTurnLeft:
+      return {{0, 0, 0}, 1, 0};
+    case WalkKey::kTurnRight:
+      return {{0, 0, 0}, -1, 0};
+    case WalkKey::kLookUp:
+      return {{0, 0, 0}, 0, 1};
+    case WalkKey::kLookDown:
+      return {{0, 0, 0}, 0, -1};
   }
-  return {0, 0, 0};
+  return {};
 }
 
 /// 0 while the stick rests, then growing from 0, without a jump at the threshold.
@@ -101,13 +122,16 @@ void Navigation::change_speed(double notches) {
 
 void Navigation::advance(double seconds) {
   const double step_s = std::clamp(seconds, 0.0, kLongestStep_s);
+  const double keys_s = step_s * (running_ ? kRunFactor : 1);
   const Sticks sticks = without_rest(sticks_);
+  Motion keys;
+  for (const WalkKey key : held_) keys += motion_of(key);
   Eigen::Vector3d step(sticks.walk_forward, sticks.walk_right, sticks.walk_up);
-  for (const WalkKey key : held_) step += step_of(key);
-  step *= step_s * speed_m_per_s_ * (running_ ? kRunFactor : 1);
+  step = keys_s * speed_m_per_s_ * (step + keys.step);
   view_ = walk(view_, step.x(), step.y(), step.z());
-  const double turn_rad = step_s * kStickTurn_rad_per_s;
-  view_ = look(view_, -sticks.look_right * turn_rad, sticks.look_up * turn_rad);
+  const double sticks_rad = step_s * kStickTurn_rad_per_s, keys_rad = keys_s * kKeyTurn_rad_per_s;
+  view_ = look(view_, keys.yaw * keys_rad - sticks.look_right * sticks_rad,
+               keys.pitch * keys_rad + sticks.look_up * sticks_rad);
 }
 
 }  // namespace roomcast::viewer

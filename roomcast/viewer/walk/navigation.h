@@ -10,7 +10,19 @@
 
 namespace roomcast::viewer {
 
-enum class WalkKey { kForward, kBack, kLeft, kRight, kUp, kDown };
+/// Keys that move the viewer while they are held.
+enum class WalkKey {
+  kForward,
+  kBack,
+  kLeft,
+  kRight,
+  kUp,
+  kDown,
+  kTurnLeft,
+  kTurnRight,
+  kLookUp,
+  kLookDown,
+};
 
 /// The effect of dragging the mouse.
 enum class Drag {

@@ -11,21 +11,25 @@ namespace {
 std::optional<WalkKey> walk_key(SDL_Scancode key) {
   switch (key) {
     case SDL_SCANCODE_W:
-    case SDL_SCANCODE_UP:
       return WalkKey::kForward;
     case SDL_SCANCODE_S:
-    case SDL_SCANCODE_DOWN:
       return WalkKey::kBack;
     case SDL_SCANCODE_A:
-    case SDL_SCANCODE_LEFT:
       return WalkKey::kLeft;
     case SDL_SCANCODE_D:
-    case SDL_SCANCODE_RIGHT:
       return WalkKey::kRight;
     case SDL_SCANCODE_E:
       return WalkKey::kUp;
     case SDL_SCANCODE_Q:
       return WalkKey::kDown;
+    case SDL_SCANCODE_UP:
+      return WalkKey::kLookUp;
+    case SDL_SCANCODE_DOWN:
+      return WalkKey::kLookDown;
+    case SDL_SCANCODE_LEFT:
+      return WalkKey::kTurnLeft;
+    case SDL_SCANCODE_RIGHT:
+      return WalkKey::kTurnRight;
     default:
       return std::nullopt;
   }

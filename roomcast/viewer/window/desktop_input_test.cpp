@@ -65,6 +65,25 @@ TEST_F(DesktopInputTest, walking_keys_are_at_the_same_place_on_any_keyboard) {
   EXPECT_TRUE(navigation.is_walking());
 }
 
+TEST_F(DesktopInputTest, arrows_turn_and_look_up_and_down_as_on_the_page) {
+  constexpr double kTurned_rad = 0.1 * 1.2;
+  const std::pair<SDL_Scancode, Eigen::Vector2d> arrows[] = {
+      {SDL_SCANCODE_LEFT, {kTurned_rad, 0}},
+      {SDL_SCANCODE_RIGHT, {-kTurned_rad, 0}},
+      {SDL_SCANCODE_UP, {0, kTurned_rad}},
+      {SDL_SCANCODE_DOWN, {0, -kTurned_rad}}};
+  for (const auto& [key, turn] : arrows) {
+    navigation.go_to(start);
+    EXPECT_FALSE(take(key_event(key, SDL_SCANCODE_TO_KEYCODE(key), true)));
+    navigation.advance(0.1);
+    EXPECT_FALSE(take(key_event(key, SDL_SCANCODE_TO_KEYCODE(key), false)));
+    navigation.advance(0.1);
+    EXPECT_NEAR(navigation.view().yaw_rad, start.yaw_rad + turn.x(), 1e-9);
+    EXPECT_NEAR(navigation.view().pitch_rad, start.pitch_rad + turn.y(), 1e-9);
+    EXPECT_EQ(navigation.view().position_m, start.position_m);
+  }
+}
+
 TEST_F(DesktopInputTest, a_window_that_loses_the_keyboard_stands_still) {
   EXPECT_FALSE(take(key_event(SDL_SCANCODE_W, SDLK_w, true)));
   EXPECT_FALSE(take(key_event(SDL_SCANCODE_L, SDLK_l, true)));
