@@ -2,7 +2,9 @@
 // roomcast view: shows the room in a window.
 #include <chrono>
 #include <cstdlib>
+#include <string_view>
 
+#include "roomcast/cli/print.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/view_options.h"
 #include "roomcast/io/image_file.h"
@@ -27,6 +29,7 @@ viewer::DesktopViewerOptions desktop_options(const ViewOptions& options,
   desktop.pictures = options.pictures;
   desktop.write_png = io::write_color_png;
   desktop.headset = options.vr;
+  desktop.log = [](LogLevel, std::string_view line) { print_err("roomcast view: {}\n", line); };
   return desktop;
 }
 

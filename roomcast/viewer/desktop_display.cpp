@@ -15,8 +15,9 @@ std::string driver_name() {
   return words != nullptr ? reinterpret_cast<const char*>(words) : "";
 }
 
-Toast without_headset(const std::string& why) {
-  return {Toast::Kind::kNotice, "The room is shown on the desktop only: " + why + "."};
+/// True until there is a headset again.
+std::string without_headset(const std::string& why) {
+  return "The room is shown on the desktop only: " + why + ".";
 }
 
 }  // namespace
@@ -57,7 +58,7 @@ Result<DrawnPicture> DesktopDisplay::draw_room(const DesktopState& state, HostTi
   if (auto status = picture_.draw(room_view_, camera, state.settings().mode); !status) {
     return status.error();
   }
-  return DrawnPicture{now, camera, picture_.take_drawing_time()};
+  return DrawnPicture{now, camera, picture_.take_drawing_time(), {camera.width, camera.height}};
 }
 
 Result<std::optional<DrawnPicture>> DesktopDisplay::draw_headset(const DesktopState& state,
@@ -66,7 +67,9 @@ Result<std::optional<DrawnPicture>> DesktopDisplay::draw_headset(const DesktopSt
     return status.error();
   }
   if (!headset_->is_seen()) return std::optional<DrawnPicture>();
-  return std::optional(DrawnPicture{now, std::nullopt, headset_->take_drawing_time()});
+  const render::OffscreenTarget& eyes = *headset_->left_eye();
+  return std::optional(DrawnPicture{
+      now, std::nullopt, headset_->take_drawing_time(), {eyes.width(), eyes.height()}});
 }
 
 const render::OffscreenTarget* DesktopDisplay::picture() const {
@@ -79,6 +82,7 @@ std::optional<ViewerCommand> DesktopDisplay::draw_window(PanelFacts facts, Panel
   if (const render::OffscreenTarget* shown = picture()) window_->show(*shown);
   facts.driver = driver_;
   if (headset_) facts.headset = headset_->report();
+  facts.no_headset = no_headset_;
   panel_layer_->begin();
   const auto command = panel.draw(facts, settings);
   panel_layer_->end();
@@ -102,12 +106,12 @@ std::optional<Toast> DesktopDisplay::poll_headset(HostTime now) {
   headset_tried_ = now;
   auto opened = xr::HeadsetView::open();
   if (!opened) {
-    const std::string why = opened.error().message;
-    if (std::exchange(headset_error_, why) == why) return std::nullopt;  // show it once
-    return without_headset(why);
+    const std::string now_true = without_headset(opened.error().message);
+    if (std::exchange(no_headset_, now_true) == now_true) return std::nullopt;
+    return Toast{Toast::Kind::kNotice, no_headset_};
   }
   headset_ = std::move(*opened);
-  headset_error_.clear();
+  no_headset_.clear();
   return Toast{Toast::Kind::kGood, "The headset is connected."};
 }
 
@@ -119,10 +123,10 @@ void DesktopDisplay::recenter_headset() {
 
 Toast DesktopDisplay::close_headset(const Error& why, HostTime now) {
   was_left_ = headset_->has_exited();
-  const Toast news = without_headset(why.message + (was_left_ ? "; press C to go back" : ""));
+  no_headset_ = without_headset(why.message + (was_left_ ? "; press C to go back" : ""));
   headset_.reset();
   headset_tried_ = now;
-  return news;
+  return {Toast::Kind::kNotice, no_headset_};
 }
 
 }  // namespace roomcast::viewer

@@ -80,8 +80,8 @@ class DesktopDisplay {
 
   std::unique_ptr<xr::HeadsetView> headset_;  // null while there is none
   HostTime headset_tried_{};
-  bool was_left_ = false;      // by the wearer, who has to ask for the headset again
-  std::string headset_error_;  // the last one shown
+  bool was_left_ = false;   // by the wearer, who has to ask for the headset again
+  std::string no_headset_;  // a sentence that says why; empty: there is one, or none was sought
 };
 
 }  // namespace roomcast::viewer

@@ -93,8 +93,9 @@ bool DesktopState::follow(std::shared_ptr<const client::RoomSnapshot> newest, Ho
 }
 
 render::ViewCamera DesktopState::camera(PictureSize window) const {
-  const double scale =
+  const double wanted =
       settings_.automatic_scale ? automatic_scale_.scale() : settings_.render_scale;
+  const double scale = is_full_size_ ? 1 : wanted;
   render::ViewCamera camera;
   camera.width = scaled(window.width, scale);
   camera.height = scaled(window.height, scale);
@@ -114,8 +115,8 @@ PanelFacts DesktopState::facts(HostTime now) const {
   PanelFacts facts{*room_, report_.figures(), latency_.median(now), toasts_.current(now)};
   facts.drawn_per_s = drawn_rate_.per_second();
   facts.drawing_ms = std::chrono::duration<double, std::milli>(drawing_time_).count();
-  facts.width = drawn_camera_ ? drawn_camera_->width : 0;
-  facts.height = drawn_camera_ ? drawn_camera_->height : 0;
+  facts.size = drawn_size_;
+  facts.is_worn = was_worn_;
   facts.speed_m_per_s = navigation_.speed_m_per_s();
   return facts;
 }
@@ -129,12 +130,14 @@ bool DesktopState::must_show(HostTime now) const {
   return is_outdated_ || now - last_shown_ >= kShowInterval;
 }
 
-void DesktopState::drawn(const DrawnPicture& picture, bool keeps_size) {
+void DesktopState::drawn(const DrawnPicture& picture) {
   is_outdated_ = true;  // until the window shows the picture
   if (picture.camera) drawn_camera_ = picture.camera;
+  drawn_size_ = picture.size;
+  was_worn_ = !picture.camera;
   if (picture.drawing_time) {
     drawing_time_ = *picture.drawing_time;
-    if (picture.camera && !keeps_size) automatic_scale_.judge(drawing_time_, picture.begin);
+    if (picture.camera && !is_full_size_) automatic_scale_.judge(drawing_time_, picture.begin);
   }
   note_latency(picture.begin);
   drawn_rate_.count(picture.begin, ++pictures_drawn_);

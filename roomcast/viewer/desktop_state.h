@@ -30,6 +30,7 @@ struct DrawnPicture {
   HostTime begin{};
   std::optional<render::ViewCamera> camera;  // of the window's picture; empty: for a headset
   std::optional<nanoseconds> drawing_time;   // of the newest picture whose time is known
+  PictureSize size = {};                     // or that of each eye's picture
 };
 
 class DesktopState {
@@ -61,8 +62,10 @@ class DesktopState {
   [[nodiscard]] const ViewSettings& settings() const { return settings_; }
   [[nodiscard]] const client::RoomSnapshot& room() const { return *room_; }
   [[nodiscard]] ViewState start_view() const;
-  /// For a window of this size, pixels.
+  /// For a window of this size, pixels; at a lower resolution if the settings want that.
   [[nodiscard]] render::ViewCamera camera(PictureSize window) const;
+  /// For screenshots and videos: pictures have the window's size, whatever the settings want.
+  void draw_at_full_size(bool on) { is_full_size_ = on; }
   /// The camera of the window's newest picture.
   [[nodiscard]] const std::optional<render::ViewCamera>& drawn_camera() const {
     return drawn_camera_;
@@ -85,8 +88,8 @@ class DesktopState {
   [[nodiscard]] bool must_show(HostTime now) const;
   /// Something that the picture shows has changed.
   void redraw() { is_outdated_ = true; }
-  /// `keeps_size`: while a video is recorded, a slow picture does not change the resolution.
-  void drawn(const DrawnPicture& picture, bool keeps_size = false);
+  /// Takes note of it.
+  void drawn(const DrawnPicture& picture);
   void shown(HostTime now);
 
  private:
@@ -106,8 +109,11 @@ class DesktopState {
 
   bool is_outdated_ = true;  // the room, the people or the settings have changed
   std::optional<render::ViewCamera> drawn_camera_;
+  PictureSize drawn_size_;
+  bool was_worn_ = false;  // the last picture was the headset's
   std::unordered_map<SensorId, std::uint32_t> drawn_seq_;
   RenderScale automatic_scale_;
+  bool is_full_size_ = false;
   nanoseconds drawing_time_{};
   RateMeter drawn_rate_;
   std::uint64_t pictures_drawn_ = 0;

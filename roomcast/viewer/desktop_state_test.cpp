@@ -10,8 +10,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr PictureSize kDesktopWindow = {640, 480};
-constexpr bool kIsPointing = true, kKeepsSize = true;
+constexpr PictureSize kDesktopWindow = {640, 480}, kEye = {1680, 1760};
+constexpr bool kIsPointing = true;
 
 HostTime desktop_time(nanoseconds since_start) {
   return HostTime(1h + since_start);
@@ -42,7 +42,7 @@ DesktopState state_at_default_start() {
 /// Draws and shows a picture, as DesktopViewer does.
 void draw_and_show(DesktopState& state, HostTime now,
                    std::optional<nanoseconds> drawing_time = {}) {
-  state.drawn({now, state.camera(kDesktopWindow), drawing_time});
+  state.drawn({now, state.camera(kDesktopWindow), drawing_time, kDesktopWindow});
   state.shown(now);
 }
 
@@ -173,22 +173,24 @@ TEST(DesktopState, resolution_follows_the_settings) {
   EXPECT_EQ(state.camera({1, 1}).height, 1) << "at least one pixel";
 }
 
-TEST(DesktopState, slow_pictures_lower_the_resolution_unless_a_video_is_recorded) {
+TEST(DesktopState, slow_pictures_lower_the_resolution_unless_they_are_captured) {
   DesktopState state = state_at_default_start();
-  const auto draw_slowly = [&](bool keeps_size) {
+  const auto draw_slowly = [&](bool is_captured) {
+    state.draw_at_full_size(is_captured);
     for (std::size_t i = 0; i < RenderScale::kDrawsToJudge; ++i) {
-      state.drawn({desktop_time(0s), state.camera(kDesktopWindow), 200ms}, keeps_size);
+      state.drawn({desktop_time(0s), state.camera(kDesktopWindow), 200ms, kDesktopWindow});
     }
     return state.camera(kDesktopWindow).width;
   };
-  EXPECT_EQ(draw_slowly(kKeepsSize), kDesktopWindow.width);
-  EXPECT_LT(draw_slowly(!kKeepsSize), kDesktopWindow.width);
+  EXPECT_EQ(draw_slowly(true), kDesktopWindow.width);
+  EXPECT_LT(draw_slowly(false), kDesktopWindow.width);
+  EXPECT_EQ(draw_slowly(true), kDesktopWindow.width) << "captured in the window's size";
 }
 
 TEST(DesktopState, pictures_of_the_headset_change_neither_resolution_nor_window_picture) {
   DesktopState state = state_at_default_start();
   for (std::size_t i = 0; i < RenderScale::kDrawsToJudge; ++i) {
-    state.drawn({desktop_time(0s), std::nullopt, 200ms});
+    state.drawn({desktop_time(0s), std::nullopt, 200ms, kEye});
   }
   EXPECT_EQ(state.camera(kDesktopWindow).width, kDesktopWindow.width);
   EXPECT_FALSE(state.drawn_camera());
@@ -224,12 +226,16 @@ TEST(DesktopState, reports_problems_of_the_room_four_times_a_second) {
 
 TEST(DesktopState, panel_has_the_size_and_time_of_the_newest_picture) {
   DesktopState state = state_at_default_start();
-  EXPECT_EQ(state.facts(desktop_time(0s)).width, 0);
+  EXPECT_EQ(state.facts(desktop_time(0s)).size, PictureSize());
   draw_and_show(state, desktop_time(0s), 7ms);
-  const PanelFacts facts = state.facts(desktop_time(0s));
-  EXPECT_EQ(facts.width, kDesktopWindow.width);
-  EXPECT_EQ(facts.height, kDesktopWindow.height);
-  EXPECT_DOUBLE_EQ(facts.drawing_ms, 7);
+  EXPECT_EQ(state.facts(desktop_time(0s)).size, kDesktopWindow);
+  EXPECT_DOUBLE_EQ(state.facts(desktop_time(0s)).drawing_ms, 7);
+  state.drawn({desktop_time(0s), std::nullopt, 9ms, kEye});
+  EXPECT_EQ(state.facts(desktop_time(0s)).size, kEye);
+  EXPECT_TRUE(state.facts(desktop_time(0s)).is_worn);
+  draw_and_show(state, desktop_time(0s));
+  EXPECT_EQ(state.facts(desktop_time(0s)).size, kDesktopWindow) << "taken off";
+  EXPECT_FALSE(state.facts(desktop_time(0s)).is_worn);
 }
 
 }  // namespace

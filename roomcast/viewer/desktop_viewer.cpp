@@ -134,10 +134,15 @@ void DesktopViewer::follow_room(HostTime at) {
 
 void DesktopViewer::poll_headset(HostTime at) {
   if (!options_.headset) return;
-  const auto news = display_.poll_headset(at);
-  if (!news) return;
+  if (const auto news = display_.poll_headset(at)) tell_of_headset(*news);
+}
+
+/// In the window and in the log; the panel keeps showing what is true.
+void DesktopViewer::tell_of_headset(const Toast& news) {
   state_.redraw();
-  state_.notify(*news, at);
+  notify(news);
+  const bool is_good = news.kind == Toast::Kind::kGood;
+  if (options_.log) options_.log(is_good ? LogLevel::kInfo : LogLevel::kWarning, news.sentence);
 }
 
 void DesktopViewer::draw(HostTime at) {
@@ -146,19 +151,28 @@ void DesktopViewer::draw(HostTime at) {
     const auto drawn = display_.draw_headset(state_, at);
     if (drawn && *drawn) return take_drawn(**drawn);
     if (was_seen || !drawn) state_.redraw();
-    if (!drawn) return state_.notify(display_.close_headset(drawn.error(), at), at);
+    if (!drawn) return tell_of_headset(display_.close_headset(drawn.error(), at));
   }
   const bool is_shown = !display_.window().is_hidden() || capture_.is_recording();
   const bool is_seen = is_shown && may_present(at);
   if (!is_seen || !state_.must_draw(display_.window().size(), input_.is_pointing())) return;
+  draw_room(at);
+}
+
+/// Returns whether it was drawn; if not, shows the reason.
+bool DesktopViewer::draw_room(HostTime at) {
   state_.point_at(pointed_at());
   const auto drawn = display_.draw_room(state_, at);
-  if (!drawn) return state_.notify({Toast::Kind::kError, drawn.error().message}, at);
-  take_drawn(*drawn);
+  if (drawn) {
+    take_drawn(*drawn);
+  } else {
+    state_.notify({Toast::Kind::kError, drawn.error().message}, at);
+  }
+  return drawn.ok();
 }
 
 void DesktopViewer::take_drawn(const DrawnPicture& picture) {
-  state_.drawn(picture, capture_.is_recording());
+  state_.drawn(picture);
   hub_report_.shown(state_.room(), picture.begin);
 }
 
@@ -197,17 +211,32 @@ bool DesktopViewer::may_capture() {
   return may.ok();
 }
 
+/// The headset's, or the window's in the window's size, although fewer pixels may be drawn when
+/// nobody captures them. Null, and the reason is shown, if there is none.
+const render::OffscreenTarget* DesktopViewer::picture_to_capture() {
+  if (!may_capture()) return nullptr;
+  state_.draw_at_full_size(true);
+  const bool is_ready =
+      display_.is_in_headset() || !state_.must_draw(display_.window().size(), false);
+  return is_ready || draw_room(now()) ? display_.picture() : nullptr;
+}
+
 void DesktopViewer::save_screenshot() {
-  if (!may_capture()) return;
-  if (const auto* picture = display_.picture()) notify(capture_.save(*picture, state_.room().room));
+  if (const auto* picture = picture_to_capture())
+    notify(capture_.save(*picture, state_.room().room));
+  state_.draw_at_full_size(capture_.is_recording());
 }
 
 void DesktopViewer::start_or_stop_video() {
-  if (capture_.is_recording()) return notify(capture_.stop_video());
-  if (!may_capture()) return;
-  if (const auto* picture = display_.picture()) {
+  if (capture_.is_recording()) return stop_video();
+  if (const auto* picture = picture_to_capture())
     notify(capture_.start_video(*picture, state_.room().room));
-  }
+  state_.draw_at_full_size(capture_.is_recording());
+}
+
+void DesktopViewer::stop_video() {
+  notify(capture_.stop_video());
+  state_.draw_at_full_size(false);
 }
 
 /// Stops the video when the picture's size changes, or when the hub no longer permits recording
@@ -215,7 +244,7 @@ void DesktopViewer::start_or_stop_video() {
 void DesktopViewer::continue_video() {
   const bool may_record = state_.room().rights.may_record;
   if (may_record && capture_.record(*display_.picture(), now())) return;
-  notify(capture_.stop_video());
+  stop_video();
   if (!may_record) static_cast<void>(may_capture());
 }
 

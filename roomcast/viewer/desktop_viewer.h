@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "roomcast/client/subscriber.h"
+#include "roomcast/core/log.h"
 #include "roomcast/io/numbered_files.h"
 #include "roomcast/viewer/capture/capture_writer.h"
 #include "roomcast/viewer/desktop_display.h"
@@ -29,6 +30,7 @@ struct DesktopViewerOptions {
   std::filesystem::path pictures = ".";  // folder for screenshots and videos
   io::PictureWriter write_png;           // required
   bool headset = false;                  // also draw for a headset if there is one
+  LogSink log;                           // news of the headset; may be empty
 };
 
 class DesktopViewer {
@@ -61,16 +63,20 @@ class DesktopViewer {
   void advance(HostTime now);
   void follow_room(HostTime now);
   void poll_headset(HostTime now);
+  void tell_of_headset(const Toast& news);
   // Display.
   void draw(HostTime now);
+  bool draw_room(HostTime now);
   [[nodiscard]] std::optional<Eigen::Vector3d> pointed_at() const;
   void take_drawn(const DrawnPicture& picture);
   void draw_window();
   [[nodiscard]] bool may_present(HostTime now) const;
   // Screenshots and videos.
   [[nodiscard]] bool may_capture();
+  [[nodiscard]] const render::OffscreenTarget* picture_to_capture();
   void save_screenshot();
   void start_or_stop_video();
+  void stop_video();
   void continue_video();
   [[nodiscard]] client::PersonPose own_pose() const;
   void notify(const Toast& toast) { state_.notify(toast, now()); }

@@ -177,6 +177,29 @@ TEST_F(DesktopViewerTest, saves_screenshots_without_the_panel) {
   EXPECT_TRUE(says("Saved as"));
 }
 
+TEST_F(DesktopViewerTest, captures_have_the_windows_size_although_fewer_pixels_are_drawn) {
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder.path().c_str(), 1);  // without ffmpeg
+  options.settings.automatic_scale = false;
+  options.settings.render_scale = 0.25;
+  open();
+  EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
+  press(SDLK_p);
+  EXPECT_TRUE(steps_until([&] { return !written.empty(); }));
+  EXPECT_EQ(written_size, kSize);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(viewer->step());  // small pictures again
+  written_size = {};
+  press(SDLK_v);
+  press(SDLK_a);
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(viewer->step());
+  press(SDLK_a, false);
+  press(SDLK_v);
+  EXPECT_TRUE(steps_until([&] { return says("-video."); }));
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(written.back().substr(0, 6), "frame-");
+  EXPECT_EQ(written_size, kSize);
+}
+
 TEST_F(DesktopViewerTest, records_a_video_until_the_second_command) {
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", folder.path().c_str(), 1);  // without ffmpeg
@@ -343,9 +366,25 @@ TEST_F(DesktopViewerTest, without_a_headset_reports_that_and_shows_the_room) {
   ::setenv("XR_RUNTIME_JSON", "/nonexistent/runtime.json", 1);
   ::setenv("XR_LOADER_DEBUG", "none", 1);
   options.headset = true;
+  std::vector<std::string> log;
+  options.log = [&log](LogLevel, std::string_view line) { log.emplace_back(line); };
   open();
   EXPECT_TRUE(steps_until([&] { return says("The room is shown on the desktop only"); }));
   EXPECT_TRUE(steps_until([&] { return viewer->pictures_drawn() > 0; }));
+  ASSERT_EQ(log.size(), 1U) << "once, not at each try";
+  EXPECT_NE(log[0].find("XR_RUNTIME_JSON is \"/nonexistent/runtime.json\""), std::string::npos);
+}
+
+TEST_F(DesktopViewerTest, logs_the_headset_that_comes_and_goes) {
+  std::vector<std::string> log;
+  options.log = [&log](LogLevel, std::string_view line) { log.emplace_back(line); };
+  open_with_headset();
+  EXPECT_TRUE(steps_until([&] { return log.size() == 1; }));
+  EXPECT_EQ(log[0], "The headset is connected.");
+  EXPECT_TRUE(steps_until([&] { return runtime.frames_with_layer > 0; }));
+  runtime.lose_session();
+  EXPECT_TRUE(steps_until([&] { return log.size() == 2; }));
+  EXPECT_EQ(log[1], "The room is shown on the desktop only: the headset is lost.");
 }
 
 TEST_F(DesktopViewerTest, ends_when_its_window_is_closed) {

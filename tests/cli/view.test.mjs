@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // roomcast view: in an empty room it reports so and writes no picture; a window opens without a display, or reports why
 // it cannot.
-import { deepEqual, equal } from 'node:assert/strict';
+import { deepEqual, equal, match } from 'node:assert/strict';
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -68,6 +68,22 @@ test('window_without_a_display_is_refused_in_a_sentence', async (t) => {
   });
   const code = await viewer.ended;
   assertFailed({ code, stderr: viewer.stderr }, 1, /no window can be opened here.*--headless --png/);
+});
+
+test('window_says_on_stderr_what_is_wrong_with_the_named_headset_software', async (t) => {
+  const hub = await startHub(t);
+  const viewer = new Program(['view', '--hub', hub.url, '--size', '64,48', '--seconds', '1', '--vr'], {
+    through: ['env', 'SDL_VIDEODRIVER=offscreen', 'XR_RUNTIME_JSON=/nonexistent.json'],
+  });
+  t.after(() => viewer.stop('SIGKILL'));
+  equal(await viewer.ended, 0, viewer.stderr);
+  match(viewer.stderr, /^roomcast view: The room is shown on the desktop only: XR_RUNTIME_JSON is "\/nonexistent.json"/m);
+});
+
+test('options_that_would_be_ignored_are_wrong_usage', async () => {
+  const hub = ['view', '--hub', 'ws://127.0.0.1:1'];
+  assertFailed(await run(...hub, '--json'), 2, /--json requires --png/);
+  assertFailed(await run(...hub, '--vr', '--png', 'room.png'), 2, /--vr excludes --png/);
 });
 
 test('headless_without_a_file_is_wrong_usage', async () => {

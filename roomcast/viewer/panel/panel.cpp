@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include <imgui.h>
 
@@ -16,6 +17,10 @@ const ImVec4 kGreen = {0.42F, 0.82F, 0.53F, 1};
 const ImVec4 kQuiet = {0.62F, 0.67F, 0.73F, 1};
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr float kMargin = 12;
+// In letters' heights.
+constexpr float kPanelWidth = 25, kLowestPanel = 8;
+constexpr float kToastsWidth = 34, kNarrowToasts = 18;
+constexpr float kHelpWidth = 40, kHelpKeysShare = 0.32F;
 
 ImVec4 color_of(Toast::Kind kind) {
   switch (kind) {
@@ -31,6 +36,12 @@ ImVec4 color_of(Toast::Kind kind) {
 
 float letter() {
   return ImGui::GetFontSize();
+}
+
+void wrapped(const ImVec4& color, const std::string& sentence) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextWrapped("%s", sentence.c_str());
+  ImGui::PopStyleColor();
 }
 
 /// A label on the left, a figure on the right.
@@ -66,7 +77,8 @@ void draw_rates(const PanelFacts& facts) {
   if (!section("Rates") || !begin_figures("rates")) return;
   figure("received", "%.2f MB/s", facts.figures.megabytes_per_s);
   figure("frame sets", "%.1f per s", facts.figures.sets_per_s);
-  figure("drawn", "%.1f per s, %d x %d", facts.drawn_per_s, facts.width, facts.height);
+  figure("drawn", "%.1f per s, %d x %d%s", facts.drawn_per_s, facts.size.width, facts.size.height,
+         facts.is_worn ? " per eye" : "");
   figure("drawing takes", "%.1f ms", facts.drawing_ms);
   ImGui::EndTable();
 }
@@ -194,8 +206,13 @@ void draw_settings(const PanelFacts& facts, ViewSettings& settings) {
   ImGui::TextColored(kQuiet, "%s", facts.driver.c_str());
 }
 
+bool wants_headset(const PanelFacts& facts) {
+  return !facts.headset.empty() || !facts.no_headset.empty();
+}
+
 void draw_headset(const PanelFacts& facts, ComfortOptions& comfort) {
-  if (facts.headset.empty() || !section("Headset")) return;
+  if (!wants_headset(facts) || !section("Headset")) return;
+  if (!facts.no_headset.empty()) return wrapped(kYellow, facts.no_headset);
   ImGui::TextWrapped("%s", facts.headset.c_str());
   ImGui::Checkbox("walk with the stick (else teleport)", &comfort.smooth_walk);
   ImGui::Checkbox("turn by steps", &comfort.snap_turn);
@@ -226,57 +243,82 @@ std::optional<ViewerCommand> draw_buttons(const PanelFacts& facts) {
   return pressed;
 }
 
-void draw_help() {
+void draw_keys(std::span<const KeyHelp> keys) {
+  for (const KeyHelp& help : keys) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextWrapped("%s", help.keys.data());
+    ImGui::TableNextColumn();
+    wrapped(kQuiet, help.what.data());
+  }
+}
+
+/// In the middle, opaque, and never larger than the window: the wheel scrolls.
+void draw_help(bool with_headset) {
   const ImVec2 all = ImGui::GetIO().DisplaySize;
+  const float width = std::min(kHelpWidth * letter(), all.x - 2 * kMargin);
   ImGui::SetNextWindowPos({all.x / 2, all.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, all.y - 2 * kMargin});
+  ImGui::SetNextWindowBgAlpha(1);
   ImGui::Begin("Keys", nullptr,
                ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar |
                    ImGuiWindowFlags_NoSavedSettings);
   if (ImGui::BeginTable("keys", 2)) {
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 12 * letter());
-    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, 26 * letter());
-    for (const KeyHelp& help : kKeyHelp) {
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      ImGui::Text("%s", help.keys.data());
-      ImGui::TableNextColumn();
-      ImGui::TextColored(kQuiet, "%s", help.what.data());
-    }
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthStretch, kHelpKeysShare);
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch, 1 - kHelpKeysShare);
+    draw_keys(kKeyHelp);
+    if (with_headset) draw_keys(kHeadsetHelp);
     ImGui::EndTable();
   }
   ImGui::End();
 }
 
-void draw_toasts(const std::vector<Toast>& toasts) {
-  if (toasts.empty()) return;
-  const ImVec2 all = ImGui::GetIO().DisplaySize;
-  const float width = std::min(34 * letter(), all.x - 2 * kMargin);
-  ImGui::SetNextWindowPos({all.x - kMargin, all.y - kMargin}, ImGuiCond_Always, {1, 1});
-  ImGui::SetNextWindowSize({width, 0});
-  ImGui::Begin("toasts", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
-  for (const Toast& toast : toasts) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color_of(toast.kind));
-    ImGui::TextWrapped("%s", toast.sentence.c_str());
-    ImGui::PopStyleColor();
-  }
-  ImGui::End();
+float panel_width() {
+  return std::min(kPanelWidth * letter(), ImGui::GetIO().DisplaySize.x - 2 * kMargin);
 }
 
 }  // namespace
 
-std::optional<ViewerCommand> Panel::draw(const PanelFacts& facts, ViewSettings& settings) {
-  draw_toasts(facts.toasts);
-  if (shows_help_) draw_help();
-  if (!is_open_) return std::nullopt;
+/// At the lower right; beside the panel where there is space for it, else over the panel, which
+/// then gets shorter.
+void Panel::draw_toasts(const std::vector<Toast>& toasts) {
+  toasts_over_panel_ = 0;
+  if (toasts.empty()) return;
   const ImVec2 all = ImGui::GetIO().DisplaySize;
-  const float width = std::min(25 * letter(), all.x - 2 * kMargin);
-  ImGui::SetNextWindowPos({kMargin, kMargin});
+  const float beside = all.x - panel_width() - 3 * kMargin;
+  const bool covers_panel = is_open_ && beside < kNarrowToasts * letter();
+  const float space = is_open_ && !covers_panel ? beside : all.x - 2 * kMargin;
+  const float width = std::min(kToastsWidth * letter(), space);
+  ImGui::SetNextWindowPos({all.x - kMargin, all.y - kMargin}, ImGuiCond_Always, {1, 1});
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, all.y - 2 * kMargin});
+  if (covers_panel) ImGui::SetNextWindowBgAlpha(1);
+  ImGui::Begin("toasts", nullptr,
+               ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoDecoration |
+                   ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
+  for (const Toast& toast : toasts) wrapped(color_of(toast.kind), toast.sentence);
+  if (covers_panel) toasts_over_panel_ = ImGui::GetWindowHeight() + kMargin;
+  ImGui::End();
+}
+
+std::optional<ViewerCommand> Panel::draw(const PanelFacts& facts, ViewSettings& settings) {
+  const auto pressed = is_open_ ? draw_sections(facts, settings) : std::nullopt;
+  draw_toasts(facts.toasts);
+  if (shows_help_) draw_help(wants_headset(facts));
+  return pressed;
+}
+
+/// Stays behind toasts and help, even when it is clicked.
+std::optional<ViewerCommand> Panel::draw_sections(const PanelFacts& facts, ViewSettings& settings) {
+  const float width = panel_width();
+  const float height = ImGui::GetIO().DisplaySize.y - 2 * kMargin - toasts_over_panel_;
+  ImGui::SetNextWindowPos({kMargin, kMargin});
+  ImGui::SetNextWindowSizeConstraints({width, 0},
+                                      {width, std::max(height, kLowestPanel * letter())});
   ImGui::Begin("roomcast", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize |
-                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::PushItemWidth(10 * letter());
   draw_connection(facts);
   const auto pressed = draw_buttons(facts);

@@ -13,6 +13,7 @@
 #include "roomcast/viewer/report/room_report.h"
 #include "roomcast/viewer/report/toasts.h"
 #include "roomcast/viewer/view/view_settings.h"
+#include "roomcast/viewer/view/view_target.h"
 #include "roomcast/viewer/window/viewer_command.h"
 
 namespace roomcast::viewer {
@@ -23,13 +24,15 @@ struct PanelFacts {
   const RoomFigures& figures;
   std::optional<LatencyStages> latency;
   std::vector<Toast> toasts;
-  double drawn_per_s = 0;     // of the room
-  double drawing_ms = 0;      // of the last picture
-  int width = 0, height = 0;  // of the last picture, pixels
-  double speed_m_per_s = 0;   // of walking
-  std::string driver = {};    // of the GPU
-  std::string video = {};     // file or folder being recorded; empty: none
-  std::string headset = {};   // name and timing; empty: none
+  double drawn_per_s = 0;       // of the room
+  double drawing_ms = 0;        // of the last picture
+  PictureSize size = {};        // of the last picture, or of each eye's, pixels
+  bool is_worn = false;         // the last picture was the headset's
+  double speed_m_per_s = 0;     // of walking
+  std::string driver = {};      // of the GPU
+  std::string video = {};       // file or folder being recorded; empty: none
+  std::string headset = {};     // name and timing; empty: none
+  std::string no_headset = {};  // why there is none, a sentence; empty: there is, or none is wanted
 };
 
 class Panel {
@@ -43,7 +46,11 @@ class Panel {
   std::optional<ViewerCommand> draw(const PanelFacts& facts, ViewSettings& settings);
 
  private:
+  std::optional<ViewerCommand> draw_sections(const PanelFacts& facts, ViewSettings& settings);
+  void draw_toasts(const std::vector<Toast>& toasts);
+
   bool is_open_ = true, shows_help_ = false;
+  float toasts_over_panel_ = 0;  // their height in the last picture, if they cover the panel
 };
 
 }  // namespace roomcast::viewer

@@ -3,6 +3,7 @@
 
 #include <SDL2/SDL.h>
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include "roomcast/viewer/panel/panel.h"
 #include "roomcast/viewer/panel/panel_layer.h"
@@ -18,26 +19,32 @@ class PanelTest : public testing::Test {
  protected:
   void SetUp() override {
     ::setenv("SDL_VIDEODRIVER", "offscreen", 1);
+    open(kSize);
+    room.connected = true;
+    room.room = "lab";
+  }
+  void open(PictureSize size) {
+    layer.reset();
+    window.reset();
     ViewWindowOptions options;
-    options.size = kSize;
+    options.size = size;
     auto opened = ViewWindow::open(options);
     ASSERT_TRUE(opened.ok()) << opened.error().message;
     window = std::move(*opened);
     auto created = PanelLayer::create(*window);
     ASSERT_TRUE(created.ok()) << created.error().message;
     layer = std::move(*created);
-    room.connected = true;
-    room.room = "lab";
   }
 
   /// Draws several frames: Dear ImGui lays out in one frame and draws in the next.
   ColorImage draw() {
     for (int i = 0; i < 3; ++i) {
-      auto picture = render::OffscreenTarget::create(kSize.width, kSize.height);
+      auto picture = render::OffscreenTarget::create(window->size().width, window->size().height);
       picture->clear(kRoom);
       window->show(*picture);
       layer->begin();
       PanelFacts facts{room, report.figures(), std::nullopt, toasts};
+      facts.no_headset = no_headset;
       pressed = panel.draw(facts, settings);
       layer->end();
     }
@@ -50,6 +57,14 @@ class PanelTest : public testing::Test {
       for (int x = 0; x < picture.width(); ++x) bright += picture.at(x, y).g > 200 ? 1 : 0;
     }
     return bright;
+  }
+  static int red_pixels(const ColorImage& picture, int from_row) {
+    int red = 0;
+    for (int y = from_row; y < picture.height(); ++y) {
+      for (int x = 0; x < picture.width(); ++x)
+        red += picture.at(x, y).r > 180 && picture.at(x, y).g < 140 ? 1 : 0;
+    }
+    return red;
   }
   static int changed_pixels(const ColorImage& picture, int x0, int x1) {
     int changed = 0;
@@ -64,6 +79,7 @@ class PanelTest : public testing::Test {
   client::RoomSnapshot room;
   RoomReport report;
   std::vector<Toast> toasts;
+  std::string no_headset;
   ViewSettings settings;
   Panel panel;
   std::optional<ViewerCommand> pressed;
@@ -108,6 +124,50 @@ TEST_F(PanelTest, a_toast_stands_at_the_lower_right_even_when_the_panel_is_close
     for (int x = 400; x < kSize.width; ++x) red += picture.at(x, y).r > 180 ? 1 : 0;
   }
   EXPECT_GT(red, 50) << "red letters";
+}
+
+TEST_F(PanelTest, a_toast_can_be_read_in_a_narrow_window_over_the_panel) {
+  toasts = {{Toast::Kind::kError, "The hub is lost."}};
+  panel.toggle();
+  const int red_letters = red_pixels(draw(), kSize.height - 60);
+  panel.toggle();
+  open({380, 420});
+  for (int i = 0; i < 2; ++i) {
+    const ColorImage picture = draw();
+    EXPECT_GE(red_pixels(picture, 360), red_letters * 9 / 10);
+    EXPECT_EQ(picture.at(190, 364), picture.at(190, 366)) << "the panel ends above it";
+    ImGui::SetWindowFocus("roomcast");  // as a click does
+  }
+}
+
+TEST_F(PanelTest, says_for_as_long_as_it_is_true_why_there_is_no_headset) {
+  const int without = changed_pixels(draw(), 0, 420);
+  no_headset = "The room is shown on the desktop only: no headset is connected.";
+  EXPECT_GT(changed_pixels(draw(), 0, 420), without + 2000);
+  EXPECT_GT(changed_pixels(draw(), 0, 420), without + 2000);
+}
+
+TEST_F(PanelTest, the_help_can_be_read_over_the_panel) {
+  panel.toggle_help();
+  const ColorImage over_panel = draw();
+  panel.toggle();
+  const ColorImage over_room = draw();
+  for (int y = 200; y < 500; ++y) {
+    for (int x = 180; x < 720; ++x) ASSERT_EQ(over_panel.at(x, y), over_room.at(x, y));
+  }
+}
+
+TEST_F(PanelTest, the_help_has_more_lines_for_headsets_and_fits_into_small_windows) {
+  panel.toggle();
+  panel.toggle_help();
+  const int without = changed_pixels(draw(), 0, kSize.width);
+  no_headset = "There is none.";
+  EXPECT_GT(changed_pixels(draw(), 0, kSize.width), without + 20'000);
+  open({320, 240});
+  const ColorImage small = draw();
+  EXPECT_EQ(small.at(160, 5), kRoom) << "its margin";
+  EXPECT_EQ(small.at(160, 235), kRoom);
+  EXPECT_NE(small.at(160, 120), kRoom);
 }
 
 TEST_F(PanelTest, the_help_stands_in_the_middle) {

@@ -37,7 +37,8 @@ inline constexpr std::array kKeyHelp = {
     KeyHelp{"Ctrl drag", "look around"},
     KeyHelp{"wheel", "nearer, farther"},
     KeyHelp{"M", "look with the mouse; the wheel then sets the speed"},
-    KeyHelp{"W A S D, arrows", "walk (Shift: faster)"},
+    KeyHelp{"W A S D", "walk (Shift: faster)"},
+    KeyHelp{"arrows", "turn, look up and down (Shift: faster)"},
     KeyHelp{"Q E", "down, up"},
     KeyHelp{"R", "back to the start"},
     KeyHelp{"L (hold)", "laser pointer at the mouse"},
@@ -47,11 +48,20 @@ inline constexpr std::array kKeyHelp = {
     KeyHelp{"F, F11", "full screen"},
     KeyHelp{"P, F12", "screenshot"},
     KeyHelp{"V", "video: start, stop"},
-    KeyHelp{"C", "headset: to the start, or back into the room"},
-    KeyHelp{"Esc", "release the mouse, leave full screen"},
+    KeyHelp{"C", "headset: to the start; into the room again"},
+    KeyHelp{"Esc", "release the mouse, close this, leave full screen"},
     KeyHelp{"Ctrl Q", "quit"},
     KeyHelp{"gamepad", "left stick walks, right stick looks, triggers down and up"},
     KeyHelp{"gamepad buttons", "A laser, B start, X blend, Y panel, shoulders speed"},
+};
+
+/// Shown below the others with --vr, and in docs/guides/viewer.md.
+inline constexpr std::array kHeadsetHelp = {
+    KeyHelp{"left stick", "walk, where the head looks"},
+    KeyHelp{"right stick, sideways", "turn"},
+    KeyHelp{"right stick, forward", "aim at the floor; let go to be there"},
+    KeyHelp{"trigger", "laser pointer"},
+    KeyHelp{"Y, B or menu", "back to the start"},
 };
 
 }  // namespace roomcast::viewer
