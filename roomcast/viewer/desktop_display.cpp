@@ -63,9 +63,9 @@ Result<DrawnPicture> DesktopDisplay::draw_room(const DesktopState& state, HostTi
 
 Result<std::optional<DrawnPicture>> DesktopDisplay::draw_headset(const DesktopState& state,
                                                                  HostTime now) {
-  if (auto status = headset_->draw(room_view_, state.settings(), state.start_view()); !status) {
-    return status.error();
-  }
+  const Status drawn = headset_->draw(room_view_, state.settings(), state.start_view(),
+                                      state.sentences_before_eyes(now));
+  if (!drawn) return drawn.error();
   if (!headset_->is_seen()) return std::optional<DrawnPicture>();
   const render::OffscreenTarget& eyes = *headset_->left_eye();
   return std::optional(DrawnPicture{

@@ -75,6 +75,9 @@ class DesktopState {
   [[nodiscard]] client::PersonPose own_pose() const;
   [[nodiscard]] PanelFacts facts(HostTime now) const;
   [[nodiscard]] std::vector<Toast> toasts(HostTime now) const { return toasts_.current(now); }
+  [[nodiscard]] std::vector<Toast> sentences_before_eyes(HostTime now) const {
+    return toasts_.before_eyes(now);
+  }
   [[nodiscard]] std::optional<LatencyStages> latency(HostTime now) const {
     return latency_.median(now);
   }

@@ -306,6 +306,19 @@ TEST_F(DesktopViewerTest, goes_on_on_the_desktop_when_the_headset_is_taken_off_o
   EXPECT_TRUE(runtime.violations.empty());
 }
 
+TEST_F(DesktopViewerTest, the_wearer_reads_that_the_hub_is_lost) {
+  open_with_headset();
+  EXPECT_TRUE(steps_until([&] { return runtime.frames_with_layer > 2; }));
+  on_hub([](client::FakeHub& h) {
+    h.lets_joins_wait = true;
+    h.hang_up();
+  });
+  EXPECT_TRUE(steps_until([&] { return says("The hub is lost"); }));
+  const auto frames = runtime.frames;
+  EXPECT_TRUE(steps_until([&] { return runtime.frames > frames + 1; }));
+  EXPECT_TRUE(runtime.given_board);
+}
+
 /// The test runtime's headset asks for its next frame at once, as a very fast one would.
 TEST_F(DesktopViewerTest, the_screen_does_not_slow_a_headset_down) {
   open_with_headset();

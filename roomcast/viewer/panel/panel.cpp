@@ -206,13 +206,8 @@ void draw_settings(const PanelFacts& facts, ViewSettings& settings) {
   ImGui::TextColored(kQuiet, "%s", facts.driver.c_str());
 }
 
-bool wants_headset(const PanelFacts& facts) {
-  return !facts.headset.empty() || !facts.no_headset.empty();
-}
-
 void draw_headset(const PanelFacts& facts, ComfortOptions& comfort) {
-  if (!wants_headset(facts) || !section("Headset")) return;
-  if (!facts.no_headset.empty()) return wrapped(kYellow, facts.no_headset);
+  if (facts.headset.empty() || !section("Headset")) return;
   ImGui::TextWrapped("%s", facts.headset.c_str());
   ImGui::Checkbox("walk with the stick (else teleport)", &comfort.smooth_walk);
   ImGui::Checkbox("turn by steps", &comfort.snap_turn);
@@ -304,7 +299,7 @@ void Panel::draw_toasts(const std::vector<Toast>& toasts) {
 std::optional<ViewerCommand> Panel::draw(const PanelFacts& facts, ViewSettings& settings) {
   const auto pressed = is_open_ ? draw_sections(facts, settings) : std::nullopt;
   draw_toasts(facts.toasts);
-  if (shows_help_) draw_help(wants_headset(facts));
+  if (shows_help_) draw_help(!facts.headset.empty() || !facts.no_headset.empty());
   return pressed;
 }
 
@@ -322,6 +317,7 @@ std::optional<ViewerCommand> Panel::draw_sections(const PanelFacts& facts, ViewS
   ImGui::PushItemWidth(10 * letter());
   draw_connection(facts);
   const auto pressed = draw_buttons(facts);
+  if (!facts.no_headset.empty()) wrapped(kYellow, facts.no_headset);
   draw_rates(facts);
   draw_latency(facts);
   draw_sensors(facts, settings);

@@ -17,6 +17,7 @@ struct Toast {
   enum class Kind { kError, kNotice, kGood };
   Kind kind = Kind::kNotice;
   std::string sentence;
+  friend bool operator==(const Toast&, const Toast&) = default;
 };
 
 class Toasts {
@@ -31,13 +32,23 @@ class Toasts {
 
   /// Problems before other sentences; at most kMax.
   [[nodiscard]] std::vector<Toast> current(HostTime now) const;
+  /// For a wearer's eyes, which lasting sentences would disturb: of the problems, errors for as long
+  /// as they last and notices only at first.
+  [[nodiscard]] std::vector<Toast> before_eyes(HostTime now) const;
 
  private:
   struct Passing {
     Toast toast;
     HostTime until{};
   };
-  std::vector<RoomProblem> problems_;
+  struct Lasting {
+    RoomProblem problem;
+    HostTime since{};
+  };
+  [[nodiscard]] HostTime since(const RoomProblem& problem, HostTime now) const;
+  void append_passing(std::vector<Toast>& toasts, HostTime now) const;
+
+  std::vector<Lasting> problems_;
   std::vector<Passing> passing_;
 };
 

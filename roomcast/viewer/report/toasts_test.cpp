@@ -49,6 +49,20 @@ TEST(Toasts, a_sentence_that_counts_seconds_is_no_new_problem) {
   EXPECT_EQ(toasts.current(at(1s))[0].sentence, "silent for 4 s.");
 }
 
+TEST(Toasts, notices_that_last_are_before_the_eyes_only_at_first) {
+  Toasts toasts;
+  const RoomProblem notice = {RoomProblem::Severity::kNotice, "left", "Sensor left is gone."};
+  toasts.set_problems({lost_hub(), notice}, at(0s));
+  EXPECT_EQ(toasts.before_eyes(at(1s)).size(), 2U);
+  toasts.set_problems({lost_hub(), notice}, at(6s));
+  EXPECT_EQ(toasts.before_eyes(at(6s)), std::vector<Toast>({{Toast::Kind::kError, "The hub is lost."}}));
+  EXPECT_EQ(toasts.current(at(6s)).size(), 2U);
+  toasts.add(Toast::Kind::kGood, "Saved.", at(7s));
+  EXPECT_EQ(toasts.before_eyes(at(8s)).size(), 2U);
+  toasts.set_problems({{RoomProblem::Severity::kError, "left", "Sensor left is silent."}}, at(9s));
+  EXPECT_EQ(toasts.before_eyes(at(9s)).front().sentence, "Sensor left is silent.");
+}
+
 TEST(Toasts, never_fill_the_screen) {
   Toasts toasts;
   for (int i = 0; i < 100; ++i) toasts.add(Toast::Kind::kNotice, std::to_string(i), at(0s));

@@ -57,6 +57,7 @@ inline constexpr std::array kKeyHelp = {
 
 /// Shown below the others with --vr, and in docs/guides/viewer.md.
 inline constexpr std::array kHeadsetHelp = {
+    KeyHelp{"In the headset:", ""},
     KeyHelp{"left stick", "walk, where the head looks"},
     KeyHelp{"right stick, sideways", "turn"},
     KeyHelp{"right stick, forward", "aim at the floor; let go to be there"},

@@ -55,7 +55,7 @@ Result<std::unique_ptr<Headset>> Headset::open() {
   std::unique_ptr<Headset> headset(new Headset(std::move(*runtime), std::move(*binding)));
   if (auto status = headset->create_session(); !status) return status.error();
   if (auto status = headset->create_stage(); !status) return status.error();
-  if (auto status = headset->create_eyes(); !status) return status.error();
+  if (auto status = headset->create_layers(); !status) return status.error();
   auto actions = Actions::create(headset->runtime_.instance(), headset->session_);
   if (!actions) return actions.error();
   headset->actions_ = std::move(*actions);
@@ -83,7 +83,7 @@ Status Headset::create_stage() {
   return xr_status(xrCreateReferenceSpace(session_, &info, &stage_), "asking for the floor");
 }
 
-Status Headset::create_eyes() {
+Status Headset::create_layers() {
   const auto views = recommended_views(runtime_);
   if (!views) return views.error();
   const auto color = choose_format(session_, kColorFormats);
@@ -101,11 +101,15 @@ Status Headset::create_eyes() {
     if (!eye) return eye.error();
     eyes_.push_back(std::move(*eye));
   }
+  auto notices = NoticeLayer::create(session_, *color);
+  if (!notices) return notices.error();
+  notices_ = std::move(*notices);
   return {};
 }
 
 Headset::~Headset() {
   actions_.reset();
+  notices_.reset();
   eyes_.clear();
   if (stage_ != XR_NULL_HANDLE) xrDestroySpace(stage_);
   if (session_ != XR_NULL_HANDLE) xrDestroySession(session_);
@@ -217,12 +221,15 @@ Status Headset::end_frame() {
   layer.space = stage_;
   layer.viewCount = kEyes;
   layer.views = views.data();
-  const auto* const base = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&layer);
+  const XrCompositionLayerQuad notices = notices_->layer();
+  const std::array layers = {reinterpret_cast<const XrCompositionLayerBaseHeader*>(&layer),
+                             reinterpret_cast<const XrCompositionLayerBaseHeader*>(&notices)};
   auto info = xr_struct<XrFrameEndInfo>(XR_TYPE_FRAME_END_INFO);
   info.displayTime = frame_.predictedDisplayTime;
   info.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
-  info.layerCount = has_layer && *has_layer ? 1 : 0;
-  info.layers = &base;
+  const std::uint32_t count = notices_->is_shown() ? 2 : 1;
+  info.layerCount = has_layer && *has_layer ? count : 0;
+  info.layers = layers.data();
   const XrResult ended = xrEndFrame(session_, &info);
   timing_.add(frame_.predictedDisplayTime, frame_.predictedDisplayPeriod,
               clock_.now() - frame_begin_);

@@ -22,6 +22,7 @@
 #include "roomcast/viewer/xr/eye_target.h"
 #include "roomcast/viewer/xr/frame_timing.h"
 #include "roomcast/viewer/xr/graphics_binding.h"
+#include "roomcast/viewer/xr/notice_layer.h"
 #include "roomcast/viewer/xr/runtime.h"
 #include "roomcast/viewer/xr/vr_walk.h"
 
@@ -60,7 +61,9 @@ class Headset {
   [[nodiscard]] render::Eyes stage_eyes() const { return {eyes_[0].camera(), eyes_[1].camera()}; }
   /// Takes the picture drawn for stage_eyes(). end_frame() reports errors.
   void show(const render::OffscreenTarget& picture);
-  /// Submits the pictures of both eyes. Errors as xr_status.
+  /// Sentences before the wearer's eyes, until others or none are told. Errors as NoticeLayer::show.
+  Status tell(const std::vector<Toast>& sentences) { return notices_->show(sentences); }
+  /// Submits the pictures of both eyes, and what was told. Errors as xr_status.
   Status end_frame();
   /// Requests the end of the session; poll() reports when it has ended.
   Status request_exit();
@@ -70,7 +73,7 @@ class Headset {
       : runtime_(std::move(runtime)), binding_(std::move(binding)) {}
   Status create_session();
   Status create_stage();
-  Status create_eyes();
+  Status create_layers();
   Status take(const XrEventDataSessionStateChanged& change);
   Status locate_eyes(VrInput& input);
   [[nodiscard]] Result<bool> has_pictures() const;
@@ -82,6 +85,7 @@ class Headset {
   XrSpace stage_ = XR_NULL_HANDLE;
   std::optional<Actions> actions_;
   std::vector<EyeTarget> eyes_;
+  std::unique_ptr<NoticeLayer> notices_;
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   bool is_running_ = false;
 

@@ -34,7 +34,8 @@ Result<std::unique_ptr<HeadsetView>> HeadsetView::open() {
   return std::unique_ptr<HeadsetView>(new HeadsetView(std::move(*headset)));
 }
 
-Status HeadsetView::draw(RoomView& room, const ViewSettings& settings, const ViewState& start) {
+Status HeadsetView::draw(RoomView& room, const ViewSettings& settings, const ViewState& start,
+                         const std::vector<Toast>& sentences) {
   const auto frame = headset_->begin_frame();
   if (!frame) return frame.error();
   is_seen_ = frame->is_seen;
@@ -44,6 +45,7 @@ Status HeadsetView::draw(RoomView& room, const ViewSettings& settings, const Vie
     room.people().set_own(seen_of_self(frame->input));
     if (drawn) drawn = draw_eyes(room, settings.mode);
     room.people().set_own(std::nullopt);
+    if (drawn) drawn = headset_->tell(sentences);
     if (!drawn) {
       static_cast<void>(headset_->end_frame());  // a frame once begun must end
       return drawn;

@@ -6,8 +6,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "roomcast/client/room/person_pose.h"
+#include "roomcast/viewer/report/toasts.h"
 #include "roomcast/viewer/view/room_picture.h"
 #include "roomcast/viewer/view/room_view.h"
 #include "roomcast/viewer/view/view_settings.h"
@@ -31,8 +33,10 @@ class HeadsetView {
   [[nodiscard]] bool has_exited() const { return headset_->has_exited(); }
 
   /// Waits until the headset wants a frame, moves the wearer and draws. `start`: the wearer's
-  /// position at the start and after recentring. Errors as Headset's and RoomView::draw.
-  Status draw(RoomView& room, const ViewSettings& settings, const ViewState& start);
+  /// position at the start and after recentring; `sentences`: before the wearer's eyes. Errors as
+  /// Headset's and RoomView::draw.
+  Status draw(RoomView& room, const ViewSettings& settings, const ViewState& start,
+              const std::vector<Toast>& sentences);
   /// Moves the wearer to the start at the next frame.
   void recenter() { is_placed_ = false; }
 

@@ -40,7 +40,7 @@ class HeadsetViewTest : public render::GlTest {
     render::GlTest::TearDown();
   }
   void draw() {
-    const Status drawn = view->draw(*room, settings, start);
+    const Status drawn = view->draw(*room, settings, start, sentences);
     ASSERT_TRUE(drawn.ok()) << drawn.error().message;
   }
 
@@ -48,6 +48,7 @@ class HeadsetViewTest : public render::GlTest {
   std::optional<RoomView> room;
   std::unique_ptr<HeadsetView> view;
   ViewSettings settings;
+  std::vector<Toast> sentences;
   const ViewState start = look_from({5, 1.2, 0}, {5, 1.2, -2});
 };
 
@@ -93,6 +94,34 @@ TEST_F(HeadsetViewTest, a_push_turns_and_recentring_undoes_it) {
   runtime.hands.buttons["recenter"] = true;
   draw();
   EXPECT_TRUE(view->pose().world_from_head.rotation.isApprox(straight, 1e-6));
+}
+
+TEST_F(HeadsetViewTest, sentences_are_before_the_eyes_until_they_are_no_longer_true) {
+  draw();
+  EXPECT_FALSE(runtime.given_board);
+  sentences = {{Toast::Kind::kError, "The hub is lost."}};
+  draw();
+  ASSERT_TRUE(runtime.given_board);
+  const GivenBoard one = *runtime.given_board;
+  EXPECT_TRUE(one.goes_with_head);
+  EXPECT_LT(one.pose.position.z, -1);
+  EXPECT_LT(one.pose.position.y, 0) << "below the line of sight";
+  EXPECT_NEAR(one.size.width / one.size.height,
+              static_cast<double>(one.color.width()) / one.color.height(), 1e-3);
+  EXPECT_EQ(one.color.at(2, 2), TextPicture::kGround);
+  int red = 0;
+  for (int y = 0; y < one.color.height(); ++y) {
+    for (int x = 0; x < one.color.width(); ++x) red += one.color.at(x, y).r > 200 ? 1 : 0;
+  }
+  EXPECT_GT(red, 500) << "letters";
+  draw();
+  EXPECT_EQ(runtime.given_board->color, one.color) << "it stays";
+  sentences.push_back({Toast::Kind::kNotice, "Sensor left is gone."});
+  draw();
+  EXPECT_GT(runtime.given_board->color.height(), one.color.height());
+  sentences.clear();
+  draw();
+  EXPECT_FALSE(runtime.given_board);
 }
 
 TEST_F(HeadsetViewTest, reports_its_timing) {

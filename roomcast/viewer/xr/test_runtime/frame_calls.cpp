@@ -128,6 +128,31 @@ XrResult take_eye(const XrCompositionLayerProjectionView& view, GivenEye& given)
   return XR_SUCCESS;
 }
 
+XrResult take_eyes(const XrCompositionLayerBaseHeader* base) {
+  const auto* const layer = reinterpret_cast<const XrCompositionLayerProjection*>(base);
+  if (layer->type != XR_TYPE_COMPOSITION_LAYER_PROJECTION || layer->viewCount != 2)
+    return violation("a first layer that is not one of two eyes", XR_ERROR_LAYER_INVALID);
+  TestRuntime& runtime = TestRuntime::instance();
+  ++runtime.frames_with_layer;
+  for (std::size_t eye = 0; eye < 2; ++eye) {
+    const XrResult taken = take_eye(layer->views[eye], runtime.given[eye]);
+    if (taken != XR_SUCCESS) return taken;
+  }
+  return XR_SUCCESS;
+}
+
+XrResult take_board(const XrCompositionLayerBaseHeader* base) {
+  const auto* const layer = reinterpret_cast<const XrCompositionLayerQuad*>(base);
+  if (layer->type != XR_TYPE_COMPOSITION_LAYER_QUAD || layer->space == XR_NULL_HANDLE)
+    return violation("a second layer that is no board in a space", XR_ERROR_LAYER_INVALID);
+  if (const XrResult checked = check_part(layer->subImage); checked != XR_SUCCESS) return checked;
+  const auto& space = *reinterpret_cast<const SpaceRecord*>(layer->space);
+  TestRuntime::instance().given_board = {
+      read_part<Rgb8>(layer->subImage, GL_RGB, GL_UNSIGNED_BYTE), layer->pose, layer->size,
+      space.type == XR_REFERENCE_SPACE_TYPE_VIEW};
+  return XR_SUCCESS;
+}
+
 XRAPI_ATTR XrResult XRAPI_CALL end_frame(XrSession, const XrFrameEndInfo* info) {
   SessionRecord& session = session_record();
   TestRuntime& runtime = TestRuntime::instance();
@@ -137,16 +162,10 @@ XRAPI_ATTR XrResult XRAPI_CALL end_frame(XrSession, const XrFrameEndInfo* info) 
   ++runtime.frames;
   if (info->displayTime != session.display)
     return violation("a frame for another time", XR_ERROR_TIME_INVALID);
+  runtime.given_board.reset();
   if (info->layerCount == 0) return XR_SUCCESS;
-  const auto* const layer = reinterpret_cast<const XrCompositionLayerProjection*>(info->layers[0]);
-  if (layer->type != XR_TYPE_COMPOSITION_LAYER_PROJECTION || layer->viewCount != 2)
-    return violation("a layer that is not one of two eyes", XR_ERROR_LAYER_INVALID);
-  ++runtime.frames_with_layer;
-  for (std::size_t eye = 0; eye < 2; ++eye) {
-    const XrResult taken = take_eye(layer->views[eye], runtime.given[eye]);
-    if (taken != XR_SUCCESS) return taken;
-  }
-  return XR_SUCCESS;
+  const XrResult eyes = take_eyes(info->layers[0]);
+  return eyes != XR_SUCCESS || info->layerCount == 1 ? eyes : take_board(info->layers[1]);
 }
 
 }  // namespace

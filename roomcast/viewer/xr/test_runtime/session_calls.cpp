@@ -93,7 +93,8 @@ XRAPI_ATTR XrResult XRAPI_CALL enumerate_spaces(XrSession, std::uint32_t capacit
 XRAPI_ATTR XrResult XRAPI_CALL create_space(XrSession, const XrReferenceSpaceCreateInfo* info,
                                             XrSpace* space) {
   ++TestRuntime::instance().open_handles;
-  *space = handle_from<XrSpace>(new SpaceRecord{info->poseInReferenceSpace, -1});
+  *space = handle_from<XrSpace>(
+      new SpaceRecord{info->poseInReferenceSpace, -1, info->referenceSpaceType});
   return XR_SUCCESS;
 }
 

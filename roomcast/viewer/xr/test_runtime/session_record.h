@@ -14,7 +14,8 @@ namespace roomcast::viewer::xr {
 
 struct SpaceRecord {
   XrPosef offset{};
-  int hand = -1;  // -1: the stage
+  int hand = -1;  // -1: a reference space
+  XrReferenceSpaceType type = XR_REFERENCE_SPACE_TYPE_STAGE;
 };
 
 struct SwapchainRecord {

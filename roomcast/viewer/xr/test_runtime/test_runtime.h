@@ -11,6 +11,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,14 @@ struct GivenEye {
   XrPosef pose{};
   XrFovf fov{};
   float near_m = 0, far_m = 0;  // of the depth
+};
+
+/// A flat picture that floats in space.
+struct GivenBoard {
+  ColorImage color;  // top row first
+  XrPosef pose{};
+  XrExtent2Df size{};
+  bool goes_with_head = false;
 };
 
 /// The state of the wearer's hands, by the names of the client's actions.
@@ -72,6 +81,7 @@ class TestRuntime {
   std::uint64_t frames = 0;  // frames ended
   std::uint64_t frames_with_layer = 0;
   std::array<GivenEye, 2> given;  // of the last layer
+  std::optional<GivenBoard> given_board;  // of the last frame
   bool uses_egl = false;          // whether the client's context is EGL's, else GLX's
   int open_handles = 0;           // spaces, swapchains, action sets
   int acquired_images = 0;        // and not released
