@@ -43,6 +43,7 @@ Status DesktopDisplay::apply(const ViewSettings& settings, const client::RoomSna
   render::RenderOptions options;
   options.unseen = settings.unseen;
   options.floor_grid = settings.floor_grid;
+  if (headset_runs() && headset_->adds_light()) options.background = {};
   Status status = room_view_.set_options(options);
   if (settings.hidden != hidden_) {
     hidden_ = settings.hidden;

@@ -18,6 +18,7 @@ struct ComfortOptions {
   double snap_rad = std::numbers::pi / 6;
   double smooth_turn_rad_per_s = 1.4;
   double walk_speed_m_per_s = 1.4;
+  bool left_handed = false;  // the left hand turns and teleports, the right one walks
 };
 
 struct ViewSettings {

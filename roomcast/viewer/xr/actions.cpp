@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "roomcast/viewer/xr/controllers.h"
 #include "roomcast/viewer/xr/eye_picture.h"
 #include "roomcast/viewer/xr/xr_status.h"
 #include "roomcast/viewer/xr/xr_struct.h"
@@ -14,31 +15,6 @@
 namespace roomcast::viewer::xr {
 namespace {
 
-/// A controller's OpenXR paths. Empty: the controller does not have that part.
-struct Controller {
-  const char* profile;
-  const char* walk;
-  const char* turn;
-  const char* point;
-  const char* recenter;
-};
-
-constexpr Controller kControllers[] = {
-    {"/interaction_profiles/khr/simple_controller", "", "", "/user/hand/right/input/select/click",
-     "/user/hand/left/input/menu/click"},
-    {"/interaction_profiles/oculus/touch_controller", "/user/hand/left/input/thumbstick",
-     "/user/hand/right/input/thumbstick", "/user/hand/right/input/trigger/value",
-     "/user/hand/left/input/y/click"},
-    {"/interaction_profiles/valve/index_controller", "/user/hand/left/input/thumbstick",
-     "/user/hand/right/input/thumbstick", "/user/hand/right/input/trigger/click",
-     "/user/hand/left/input/b/click"},
-    {"/interaction_profiles/microsoft/motion_controller", "/user/hand/left/input/thumbstick",
-     "/user/hand/right/input/thumbstick", "/user/hand/right/input/trigger/value",
-     "/user/hand/left/input/menu/click"},
-    {"/interaction_profiles/htc/vive_controller", "/user/hand/left/input/trackpad",
-     "/user/hand/right/input/trackpad", "/user/hand/right/input/trigger/click",
-     "/user/hand/left/input/menu/click"},
-};
 constexpr const char* kHands[] = {"/user/hand/left", "/user/hand/right"};
 
 Result<XrPath> path_of(XrInstance instance, const std::string& name) {
@@ -65,25 +41,32 @@ Result<XrAction> make_action(XrActionSet set, XrActionType type, const char* nam
   return action;
 }
 
-XrActionStateGetInfo question(XrAction action) {
+XrActionStateGetInfo question(XrAction action, XrPath hand) {
   auto info = xr_struct<XrActionStateGetInfo>(XR_TYPE_ACTION_STATE_GET_INFO);
   info.action = action;
+  info.subactionPath = hand;
   return info;
 }
 
 Result<Eigen::Vector2d> stick(XrSession session, XrAction action) {
-  const XrActionStateGetInfo info = question(action);
+  const XrActionStateGetInfo info = question(action, XR_NULL_PATH);
   auto state = xr_struct<XrActionStateVector2f>(XR_TYPE_ACTION_STATE_VECTOR2F);
   ROOMCAST_XR_TRY(xrGetActionStateVector2f(session, &info, &state), "reading a stick");
   if (!state.isActive) return Eigen::Vector2d(0, 0);
   return Eigen::Vector2d(state.currentState.x, state.currentState.y);
 }
 
-Result<XrActionStateBoolean> button(XrSession session, XrAction action) {
-  const XrActionStateGetInfo info = question(action);
+/// `hand`: of actions of each hand.
+Result<XrActionStateBoolean> button(XrSession session, XrAction action,
+                                    XrPath hand = XR_NULL_PATH) {
+  const XrActionStateGetInfo info = question(action, hand);
   auto state = xr_struct<XrActionStateBoolean>(XR_TYPE_ACTION_STATE_BOOLEAN);
   ROOMCAST_XR_TRY(xrGetActionStateBoolean(session, &info, &state), "reading a button");
   return state;
+}
+
+bool is_held(const XrActionStateBoolean& button) {
+  return button.isActive && button.currentState;
 }
 
 /// Empty while the hand is not tracked.
@@ -98,10 +81,10 @@ Result<std::optional<RigidTransform>> place_of(XrSpace part, XrSpace stage, XrTi
 
 }  // namespace
 
-Result<Actions> Actions::create(XrInstance instance, XrSession session) {
+Result<Actions> Actions::create(const Runtime& runtime, XrSession session) {
   Actions actions;
-  if (auto status = actions.make_actions(instance); !status) return status.error();
-  if (auto status = actions.suggest_bindings(instance); !status) return status.error();
+  if (auto status = actions.make_actions(runtime.instance()); !status) return status.error();
+  if (auto status = actions.suggest_bindings(runtime); !status) return status.error();
   if (auto status = actions.attach(session); !status) return status.error();
   return actions;
 }
@@ -126,9 +109,12 @@ Status Actions::make_actions(XrInstance instance) {
     return {};
   };
   for (const Status& status :
-       {make(walk_, XR_ACTION_TYPE_VECTOR2F_INPUT, "walk", "Walk"),
-        make(turn_, XR_ACTION_TYPE_VECTOR2F_INPUT, "turn", "Turn; forward: teleport"),
-        make(point_, XR_ACTION_TYPE_BOOLEAN_INPUT, "point", "Laser pointer"),
+       {make(sticks_[kLeft], XR_ACTION_TYPE_VECTOR2F_INPUT, "walk", "Walk"),
+        make(sticks_[kRight], XR_ACTION_TYPE_VECTOR2F_INPUT, "turn", "Turn; forward: teleport"),
+        make(press_, XR_ACTION_TYPE_BOOLEAN_INPUT, "press", "Use the trackpad", true),
+        make(point_, XR_ACTION_TYPE_BOOLEAN_INPUT, "point", "Laser pointer", true),
+        make(select_, XR_ACTION_TYPE_BOOLEAN_INPUT, "select",
+             "Right: teleport; left: laser pointer", true),
         make(recenter_, XR_ACTION_TYPE_BOOLEAN_INPUT, "recenter", "Back to the start"),
         make(grip_, XR_ACTION_TYPE_POSE_INPUT, "hand", "Hand", true),
         make(aim_, XR_ACTION_TYPE_POSE_INPUT, "aim", "Where the hand points", true)}) {
@@ -137,33 +123,36 @@ Status Actions::make_actions(XrInstance instance) {
   return {};
 }
 
-Status Actions::suggest_bindings(XrInstance instance) const {
+Status Actions::suggest_bindings(const Runtime& runtime) const {
   bool one_was_taken = false;
   Status fault;
   for (const Controller& controller : kControllers) {
+    if (controller.extension != nullptr && !runtime.has(controller.extension)) continue;
     std::vector<XrActionSuggestedBinding> bindings;
-    const auto bind = [&](XrAction action, const std::string& part) {
-      if (part.empty()) return;
-      const auto path = path_of(instance, part);
+    const auto bind = [&](XrAction action, Hand hand, const char* part) {
+      if (part == nullptr) return;
+      const auto path = path_of(runtime.instance(), std::string(kHands[hand]) + "/input/" + part);
       if (path) bindings.push_back({action, *path});
     };
-    bind(walk_, controller.walk);
-    bind(turn_, controller.turn);
-    bind(point_, controller.point);
-    bind(recenter_, controller.recenter);
-    for (const std::string hand : kHands) {
-      bind(grip_, hand + "/input/grip/pose");
-      bind(aim_, hand + "/input/aim/pose");
+    for (const Hand hand : {kLeft, kRight}) {
+      bind(sticks_[hand], hand, controller.stick);
+      bind(press_, hand, controller.press);
+      bind(point_, hand, controller.point);
+      bind(select_, hand, controller.select);
+      bind(grip_, hand, "grip/pose");
+      bind(aim_, hand, "aim/pose");
     }
-    const auto profile = path_of(instance, controller.profile);
+    bind(recenter_, kLeft, controller.recenter);
+    const auto profile =
+        path_of(runtime.instance(), std::string("/interaction_profiles/") + controller.profile);
     if (!profile) return profile.error();
     auto suggestion = xr_struct<XrInteractionProfileSuggestedBinding>(
         XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING);
     suggestion.interactionProfile = *profile;
     suggestion.suggestedBindings = bindings.data();
     suggestion.countSuggestedBindings = static_cast<std::uint32_t>(bindings.size());
-    fault =
-        xr_status(xrSuggestInteractionProfileBindings(instance, &suggestion), "naming controllers");
+    fault = xr_status(xrSuggestInteractionProfileBindings(runtime.instance(), &suggestion),
+                      "naming controllers");
     one_was_taken |= fault.ok();
   }
   return one_was_taken ? Status{} : fault;  // a runtime need not support all controllers
@@ -174,15 +163,13 @@ Status Actions::attach(XrSession session) {
   info.countActionSets = 1;
   info.actionSets = &set_;
   ROOMCAST_XR_TRY(xrAttachSessionActionSets(session, &info), "asking for the controllers");
-  const auto make = [&](XrSpace& made, XrAction action, Hand hand) -> Status {
-    auto space = hand_space(session, action, hand);
-    if (!space) return space.error();
-    made = *space;
-    return {};
-  };
-  if (auto status = make(left_grip_, grip_, kLeft); !status) return status;
-  if (auto status = make(right_grip_, grip_, kRight); !status) return status;
-  return make(right_aim_, aim_, kRight);
+  for (const Hand hand : {kLeft, kRight}) {
+    const auto grip = hand_space(session, grip_, hand), aim = hand_space(session, aim_, hand);
+    if (grip) grips_[hand] = *grip;
+    if (aim) aims_[hand] = *aim;
+    if (!grip || !aim) return grip ? aim.error() : grip.error();
+  }
+  return {};
 }
 
 Result<XrSpace> Actions::hand_space(XrSession session, XrAction action, Hand hand) const {
@@ -201,29 +188,35 @@ Status Actions::read(XrSession session, XrSpace stage, XrTime time, VrInput& inp
   sync.countActiveActionSets = 1;
   sync.activeActionSets = &active;
   ROOMCAST_XR_TRY(xrSyncActions(session, &sync), "reading the controllers");
-  const auto walk = stick(session, walk_), turn = stick(session, turn_);
-  if (!walk) return walk.error();
-  if (!turn) return turn.error();
-  const auto point = button(session, point_), recenter = button(session, recenter_);
-  if (!point) return point.error();
+  const auto recenter = button(session, recenter_);
   if (!recenter) return recenter.error();
-  auto left = place_of(left_grip_, stage, time), right = place_of(right_grip_, stage, time),
-       aim = place_of(right_aim_, stage, time);
-  for (const auto* place : {&left, &right, &aim}) {
-    if (!*place) return place->error();
-  }
-  input.walk = *walk;
-  input.turn = *turn;
-  input.points = point->isActive && point->currentState;
-  input.recenters = recenter->isActive && recenter->currentState && recenter->changedSinceLastSync;
-  input.stage_from_left_hand = *left;
-  input.stage_from_right_hand = *right;
-  input.stage_from_aim = *aim;
+  const auto left = read_hand(session, stage, time, kLeft),
+             right = read_hand(session, stage, time, kRight);
+  if (!left || !right) return left ? right.error() : left.error();
+  input.left = *left;
+  input.right = *right;
+  input.recenters |= is_held(*recenter) && recenter->changedSinceLastSync;
   return {};
 }
 
+Result<VrHand> Actions::read_hand(XrSession session, XrSpace stage, XrTime time, Hand hand) const {
+  const auto pushed = stick(session, sticks_[hand]);
+  if (!pushed) return pushed.error();
+  const auto press = button(session, press_, hands_[hand]),
+             point = button(session, point_, hands_[hand]),
+             select = button(session, select_, hands_[hand]);
+  for (const auto* one : {&press, &point, &select}) {
+    if (!*one) return one->error();
+  }
+  const auto grip = place_of(grips_[hand], stage, time), aim = place_of(aims_[hand], stage, time);
+  if (!grip || !aim) return grip ? aim.error() : grip.error();
+  const bool counts = !press->isActive || press->currentState;
+  return VrHand{*grip, *aim, counts ? *pushed : Eigen::Vector2d(0, 0), is_held(*point),
+                is_held(*select)};
+}
+
 Actions::~Actions() {
-  for (const XrSpace space : {left_grip_, right_grip_, right_aim_}) {
+  for (const XrSpace space : {grips_[kLeft], grips_[kRight], aims_[kLeft], aims_[kRight]}) {
     if (space != XR_NULL_HANDLE) xrDestroySpace(space);
   }
   if (set_ != XR_NULL_HANDLE) xrDestroyActionSet(set_);  // destroys its actions, too
@@ -235,16 +228,16 @@ Actions::Actions(Actions&& other) noexcept {
 
 Actions& Actions::operator=(Actions&& other) noexcept {
   std::swap(set_, other.set_);
-  std::swap(walk_, other.walk_);
-  std::swap(turn_, other.turn_);
+  std::swap(sticks_, other.sticks_);
+  std::swap(press_, other.press_);
   std::swap(point_, other.point_);
+  std::swap(select_, other.select_);
   std::swap(recenter_, other.recenter_);
   std::swap(grip_, other.grip_);
   std::swap(aim_, other.aim_);
   std::swap(hands_, other.hands_);
-  std::swap(left_grip_, other.left_grip_);
-  std::swap(right_grip_, other.right_grip_);
-  std::swap(right_aim_, other.right_aim_);
+  std::swap(grips_, other.grips_);
+  std::swap(aims_, other.aims_);
   return *this;
 }
 

@@ -17,6 +17,8 @@ constexpr XrViewConfigurationType kStereo = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_S
 constexpr std::array<std::int64_t, 2> kColorFormats = {GL_SRGB8_ALPHA8, GL_RGBA8};
 constexpr std::array<std::int64_t, 1> kDepthFormats = {GL_DEPTH_COMPONENT32F};
 constexpr float kEyeHeight_m = 1.6F;
+/// XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT
+constexpr auto kLocalFloorSpace = static_cast<XrReferenceSpaceType>(1000426000);
 
 RigidTransform midway(const RigidTransform& a, const RigidTransform& b) {
   const Eigen::Quaterniond rotation =
@@ -24,13 +26,19 @@ RigidTransform midway(const RigidTransform& a, const RigidTransform& b) {
   return {rotation.toRotationMatrix(), (a.translation_m + b.translation_m) / 2};
 }
 
-Result<bool> offers_stage(XrSession session) {
+/// The best of the spaces that the headset offers. Every headset has LOCAL.
+Result<XrReferenceSpaceType> choose_stage(const Runtime& runtime, XrSession session) {
   const char* const what = "asking for the floor";
   std::uint32_t count = 0;
   ROOMCAST_XR_TRY(xrEnumerateReferenceSpaces(session, 0, &count, nullptr), what);
   std::vector<XrReferenceSpaceType> offered(count);
   ROOMCAST_XR_TRY(xrEnumerateReferenceSpaces(session, count, &count, offered.data()), what);
-  return std::ranges::find(offered, XR_REFERENCE_SPACE_TYPE_STAGE) != offered.end();
+  const auto is_offered = [&](XrReferenceSpaceType type) {
+    return std::ranges::find(offered, type) != offered.end();
+  };
+  if (is_offered(XR_REFERENCE_SPACE_TYPE_STAGE)) return XR_REFERENCE_SPACE_TYPE_STAGE;
+  const bool has_floor = runtime.has(kLocalFloor) && is_offered(kLocalFloorSpace);
+  return has_floor ? kLocalFloorSpace : XR_REFERENCE_SPACE_TYPE_LOCAL;
 }
 
 Result<std::array<XrViewConfigurationView, kEyes>> recommended_views(const Runtime& runtime) {
@@ -54,9 +62,10 @@ Result<std::unique_ptr<Headset>> Headset::open() {
   if (!runtime) return runtime.error();
   std::unique_ptr<Headset> headset(new Headset(std::move(*runtime), std::move(*binding)));
   if (auto status = headset->create_session(); !status) return status.error();
+  if (auto status = headset->choose_blend_mode(); !status) return status.error();
   if (auto status = headset->create_stage(); !status) return status.error();
   if (auto status = headset->create_layers(); !status) return status.error();
-  auto actions = Actions::create(headset->runtime_.instance(), headset->session_);
+  auto actions = Actions::create(headset->runtime_, headset->session_);
   if (!actions) return actions.error();
   headset->actions_ = std::move(*actions);
   return headset;
@@ -70,16 +79,35 @@ Status Headset::create_session() {
                    "beginning a session with the headset");
 }
 
+/// The room hides what is around the wearer, unless the displays cannot.
+Status Headset::choose_blend_mode() {
+  const char* const what = "asking how the headset mixes pictures with what is around";
+  const auto ask = [this](std::uint32_t capacity, std::uint32_t* count,
+                          XrEnvironmentBlendMode* modes) {
+    return xrEnumerateEnvironmentBlendModes(runtime_.instance(), runtime_.system(), kStereo,
+                                            capacity, count, modes);
+  };
+  std::uint32_t count = 0;
+  ROOMCAST_XR_TRY(ask(0, &count, nullptr), what);
+  std::vector<XrEnvironmentBlendMode> offered(count);
+  ROOMCAST_XR_TRY(ask(count, &count, offered.data()), what);
+  const auto opaque = std::ranges::find(offered, XR_ENVIRONMENT_BLEND_MODE_OPAQUE);
+  if (offered.empty()) return unavailable("the headset does not say how it shows pictures");
+  blend_mode_ = opaque != offered.end() ? *opaque : offered.front();
+  return {};
+}
+
 /// A space without a floor has its origin at the eyes' first position; the floor is assumed
 /// kEyeHeight_m below.
 Status Headset::create_stage() {
-  const auto has_stage = offers_stage(session_);
-  if (!has_stage) return has_stage.error();
+  const auto type = choose_stage(runtime_, session_);
+  if (!type) return type.error();
+  stage_type_ = *type;
   auto info = xr_struct<XrReferenceSpaceCreateInfo>(XR_TYPE_REFERENCE_SPACE_CREATE_INFO);
-  info.referenceSpaceType =
-      *has_stage ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL;
+  info.referenceSpaceType = stage_type_;
   info.poseInReferenceSpace.orientation.w = 1;
-  if (!*has_stage) info.poseInReferenceSpace.position.y = -kEyeHeight_m;
+  if (stage_type_ == XR_REFERENCE_SPACE_TYPE_LOCAL)
+    info.poseInReferenceSpace.position.y = -kEyeHeight_m;
   return xr_status(xrCreateReferenceSpace(session_, &info, &stage_), "asking for the floor");
 }
 
@@ -91,7 +119,7 @@ Status Headset::create_layers() {
   if (*color == 0)
     return Error{ErrorCode::kUnavailable, "the headset takes no pictures of 8 bits per colour"};
   const auto depth =
-      runtime_.takes_depth() ? choose_format(session_, kDepthFormats) : Result<std::int64_t>(0);
+      runtime_.has(kDepth) ? choose_format(session_, kDepthFormats) : Result<std::int64_t>(0);
   if (!depth) return depth.error();
   for (const XrViewConfigurationView& view : *views) {
     const PictureSize size = {static_cast<int>(view.recommendedImageRectWidth),
@@ -123,6 +151,11 @@ Status Headset::poll() {
     ROOMCAST_XR_TRY(polled, "listening to the headset");
     if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING)
       return Error{ErrorCode::kClosed, "the headset's software ends"};
+    if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) {
+      const auto& moved = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event);
+      if (moved.session == session_ && moved.referenceSpaceType == stage_type_)
+        space_changes_.push_back(moved);
+    }
     if (event.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) continue;
     const auto& change = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
     if (change.session != session_) continue;
@@ -161,12 +194,32 @@ Result<HeadsetFrame> Headset::begin_frame() {
   ROOMCAST_XR_TRY(xrBeginFrame(session_, nullptr), "beginning a frame");
   HeadsetFrame frame;
   frame_is_seen_ = frame_.shouldRender == XR_TRUE;
+  take_space_changes(frame.input);
   if (auto status = locate_eyes(frame.input); !status) return status.error();
   if (auto status = actions_->read(session_, stage_, frame_.predictedDisplayTime, frame.input);
       !status)
     return status.error();
   frame.is_seen = frame_is_seen_;
   return frame;
+}
+
+/// A stage that its software moves, because the wearer has drawn its borders anew, leaves the
+/// wearer where they are in the room. Other spaces move when the wearer asks the headset's software
+/// to recentre: then they go to the start, as they do where the stage's move is not known.
+void Headset::take_space_changes(VrInput& input) {
+  RigidTransform old_stage_from_stage;
+  bool has_moved = false;
+  std::erase_if(space_changes_, [&](const XrEventDataReferenceSpaceChangePending& change) {
+    if (change.changeTime > frame_.predictedDisplayTime) return false;
+    if (stage_type_ == XR_REFERENCE_SPACE_TYPE_STAGE && change.poseValid) {
+      has_moved = true;
+      old_stage_from_stage = old_stage_from_stage * transform_from_pose(change.poseInPreviousSpace);
+    } else {
+      input.recenters = true;
+    }
+    return true;
+  });
+  if (has_moved) input.old_stage_from_stage = old_stage_from_stage;
 }
 
 /// The head is midway between the eyes and looks midway between their directions, which differ
@@ -226,7 +279,7 @@ Status Headset::end_frame() {
                              reinterpret_cast<const XrCompositionLayerBaseHeader*>(&notices)};
   auto info = xr_struct<XrFrameEndInfo>(XR_TYPE_FRAME_END_INFO);
   info.displayTime = frame_.predictedDisplayTime;
-  info.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
+  info.environmentBlendMode = blend_mode_;
   const std::uint32_t count = notices_->is_shown() ? 2 : 1;
   info.layerCount = has_layer && *has_layer ? count : 0;
   info.layers = layers.data();

@@ -51,6 +51,10 @@ class Headset {
   [[nodiscard]] bool has_exited() const { return state_ == XR_SESSION_STATE_EXITING; }
   /// True if the runtime wants frames, seen or not; false while the headset is not worn.
   [[nodiscard]] bool is_running() const { return is_running_; }
+  /// True if the displays only add light to what the wearer sees anyway.
+  [[nodiscard]] bool adds_light() const {
+    return blend_mode_ == XR_ENVIRONMENT_BLEND_MODE_ADDITIVE;
+  }
   [[nodiscard]] XrSessionState state() const { return state_; }
   [[nodiscard]] const std::string& name() const { return runtime_.name(); }
   [[nodiscard]] const FrameTiming& timing() const { return timing_; }
@@ -61,7 +65,8 @@ class Headset {
   [[nodiscard]] render::Eyes stage_eyes() const { return {eyes_[0].camera(), eyes_[1].camera()}; }
   /// Takes the picture drawn for stage_eyes(). end_frame() reports errors.
   void show(const render::OffscreenTarget& picture);
-  /// Sentences before the wearer's eyes, until others or none are told. Errors as NoticeLayer::show.
+  /// Sentences before the wearer's eyes, until others or none are told. Errors as
+  /// NoticeLayer::show.
   Status tell(const std::vector<Toast>& sentences) { return notices_->show(sentences); }
   /// Submits the pictures of both eyes, and what was told. Errors as xr_status.
   Status end_frame();
@@ -72,17 +77,22 @@ class Headset {
   explicit Headset(Runtime runtime, GraphicsBinding binding)
       : runtime_(std::move(runtime)), binding_(std::move(binding)) {}
   Status create_session();
+  Status choose_blend_mode();
   Status create_stage();
   Status create_layers();
   Status take(const XrEventDataSessionStateChanged& change);
   Status locate_eyes(VrInput& input);
+  void take_space_changes(VrInput& input);
   [[nodiscard]] Result<bool> has_pictures() const;
 
   SteadyClock clock_;
   Runtime runtime_;
   GraphicsBinding binding_;
   XrSession session_ = XR_NULL_HANDLE;
+  XrEnvironmentBlendMode blend_mode_ = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
+  XrReferenceSpaceType stage_type_ = XR_REFERENCE_SPACE_TYPE_STAGE;
   XrSpace stage_ = XR_NULL_HANDLE;
+  std::vector<XrEventDataReferenceSpaceChangePending> space_changes_;  // of the stage, to come
   std::optional<Actions> actions_;
   std::vector<EyeTarget> eyes_;
   std::unique_ptr<NoticeLayer> notices_;

@@ -41,8 +41,8 @@ Status HeadsetView::draw(RoomView& room, const ViewSettings& settings, const Vie
   is_seen_ = frame->is_seen;
   if (is_seen_) {
     move(frame->input, settings, start);
-    Status drawn = find_pointed_at(room, frame->input);
-    room.people().set_own(seen_of_self(frame->input));
+    Status drawn = find_pointed_at(room, frame->input.pointing_hand(settings.comfort));
+    room.people().set_own(seen_of_self(frame->input, settings.comfort));
     if (drawn) drawn = draw_eyes(room, settings.mode);
     room.people().set_own(std::nullopt);
     if (drawn) drawn = headset_->tell(sentences);
@@ -57,6 +57,7 @@ Status HeadsetView::draw(RoomView& room, const ViewSettings& settings, const Vie
 void HeadsetView::move(const VrInput& input, const ViewSettings& settings, const ViewState& start) {
   const HostTime at = now();
   const std::chrono::duration<double> step = at - std::exchange(last_frame_, at);
+  if (input.old_stage_from_stage) walk_.follow_stage(*input.old_stage_from_stage);
   if (!std::exchange(is_placed_, true) || input.recenters)
     walk_.stand_at(start, input.stage_from_head);
   walk_.advance(input, settings.comfort, step.count());
@@ -65,14 +66,14 @@ void HeadsetView::move(const VrInput& input, const ViewSettings& settings, const
                            : std::nullopt;
   };
   pose_.world_from_head = walk_.world_from_stage() * input.stage_from_head;
-  pose_.world_from_left_hand = in_world(input.stage_from_left_hand);
-  pose_.world_from_right_hand = in_world(input.stage_from_right_hand);
+  pose_.world_from_left_hand = in_world(input.left.stage_from_grip);
+  pose_.world_from_right_hand = in_world(input.right.stage_from_grip);
 }
 
-Status HeadsetView::find_pointed_at(RoomView& room, const VrInput& input) {
+Status HeadsetView::find_pointed_at(RoomView& room, const VrHand* pointing) {
   pose_.pointer.reset();
-  if (!input.points || !input.stage_from_aim) return {};
-  const RigidTransform world_from_aim = walk_.world_from_stage() * *input.stage_from_aim;
+  if (pointing == nullptr || !pointing->stage_from_aim) return {};
+  const RigidTransform world_from_aim = walk_.world_from_stage() * *pointing->stage_from_aim;
   const render::ViewCamera camera = pointer_camera(world_from_aim);
   if (auto status = pointed_at_.draw(room, camera, render::RenderMode::kMesh); !status)
     return status;
@@ -85,10 +86,12 @@ Status HeadsetView::find_pointed_at(RoomView& room, const VrInput& input) {
 }
 
 /// The wearer's hands and pointer or teleport beam.
-client::PersonPose HeadsetView::seen_of_self(const VrInput& input) const {
+client::PersonPose HeadsetView::seen_of_self(const VrInput& input,
+                                             const ComfortOptions& comfort) const {
   client::PersonPose seen = pose_;
   if (const auto& target_m = walk_.teleport_target_m()) {
-    const RigidTransform& from = input.stage_from_aim.value_or(input.stage_from_head);
+    const RigidTransform& from =
+        input.main_hand(comfort).stage_from_aim.value_or(input.stage_from_head);
     seen.pointer = client::PointerBeam{(walk_.world_from_stage() * from).translation_m, *target_m};
   }
   return seen;

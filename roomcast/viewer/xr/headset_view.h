@@ -30,6 +30,8 @@ class HeadsetView {
   /// True if the newest frame was seen: not while the headset lies on a desk, or behind another
   /// program.
   [[nodiscard]] bool is_seen() const { return is_seen_ && is_running(); }
+  /// True if the displays add the picture to what the wearer sees anyway: black is nothing.
+  [[nodiscard]] bool adds_light() const { return headset_->adds_light(); }
   [[nodiscard]] bool has_exited() const { return headset_->has_exited(); }
 
   /// Waits until the headset wants a frame, moves the wearer and draws. `start`: the wearer's
@@ -53,9 +55,10 @@ class HeadsetView {
  private:
   explicit HeadsetView(std::unique_ptr<Headset> headset) : headset_(std::move(headset)) {}
   void move(const VrInput& input, const ViewSettings& settings, const ViewState& start);
-  Status find_pointed_at(RoomView& room, const VrInput& input);
+  Status find_pointed_at(RoomView& room, const VrHand* pointing);
   Status draw_eyes(RoomView& room, render::RenderMode mode);
-  [[nodiscard]] client::PersonPose seen_of_self(const VrInput& input) const;
+  [[nodiscard]] client::PersonPose seen_of_self(const VrInput& input,
+                                                const ComfortOptions& comfort) const;
 
   std::unique_ptr<Headset> headset_;
   VrWalk walk_;

@@ -5,6 +5,7 @@
 
 #include "roomcast/render/gl/gl_fixture.h"
 #include "roomcast/viewer/view/wall_room_fixture.h"
+#include "roomcast/viewer/xr/eye_picture.h"
 #include "roomcast/viewer/xr/headset_view.h"
 #include "roomcast/viewer/xr/test_runtime/test_runtime.h"
 
@@ -74,12 +75,12 @@ TEST_F(HeadsetViewTest, hands_are_sent_and_drawn) {
 }
 
 TEST_F(HeadsetViewTest, the_trigger_points_at_the_wall) {
-  runtime.hands.buttons["point"] = true;
+  runtime.hands.buttons["point right"] = true;
   draw();
   ASSERT_TRUE(view->pose().pointer);
   EXPECT_NEAR(view->pose().pointer->to_m.z(), -2, 0.01);
   EXPECT_NEAR(view->pose().pointer->to_m.x(), 5.2, 0.01);
-  runtime.hands.buttons["point"] = false;
+  runtime.hands.buttons["point right"] = false;
   draw();
   EXPECT_FALSE(view->pose().pointer);
 }
@@ -94,6 +95,46 @@ TEST_F(HeadsetViewTest, a_push_turns_and_recentring_undoes_it) {
   runtime.hands.buttons["recenter"] = true;
   draw();
   EXPECT_TRUE(view->pose().world_from_head.rotation.isApprox(straight, 1e-6));
+}
+
+TEST_F(HeadsetViewTest, the_wearer_stays_where_they_are_when_the_stage_moves) {
+  draw();
+  const RigidTransform before = view->pose().world_from_head;
+  const XrPosef moved = {{0, 0.6F, 0, 0.8F}, {1, 0.2F, -2}};  // the new stage in the old one
+  const XrTime when = TestRuntime::kBegin_ns + 3 * TestRuntime::kPeriod_ns;
+  const RigidTransform new_from_old = transform_from_pose(moved).inverse();
+  runtime.head_at = [=](XrTime time) {
+    const XrPosef head = {{0, 0, 0, 1}, {0, 1.6F, 0}};
+    return time < when ? head : pose_from_transform(new_from_old * transform_from_pose(head));
+  };
+  runtime.move_space(XR_REFERENCE_SPACE_TYPE_STAGE, when, moved);
+  runtime.move_space(XR_REFERENCE_SPACE_TYPE_LOCAL, when, moved);  // not used here
+  ASSERT_TRUE(view->poll().ok());
+  for (int i = 0; i < 4; ++i) {
+    draw();
+    const RigidTransform after = view->pose().world_from_head;
+    EXPECT_TRUE(after.rotation.isApprox(before.rotation, 1e-5)) << i;
+    Eigen::Vector3d step_m = after.translation_m - before.translation_m;
+    step_m.y() = 0;  // the floor was measured anew
+    EXPECT_LT(step_m.norm(), 1e-5) << i;
+  }
+}
+
+TEST_F(HeadsetViewTest, a_stage_that_moves_by_an_unknown_step_brings_the_wearer_to_the_start) {
+  draw();
+  runtime.head_at = [](XrTime) { return XrPosef{{0, 0.6F, 0, 0.8F}, {1, 1.6F, -2}}; };
+  runtime.move_space(XR_REFERENCE_SPACE_TYPE_STAGE, TestRuntime::kBegin_ns, std::nullopt);
+  ASSERT_TRUE(view->poll().ok());
+  draw();
+  EXPECT_LT((view->pose().world_from_head.translation_m - Eigen::Vector3d(5, 1.6, 0)).norm(), 1e-5);
+  EXPECT_LT((view->pose().world_from_head.rotation - Eigen::Matrix3d::Identity()).norm(), 1e-5);
+}
+
+TEST_F(HeadsetViewTest, the_left_trigger_points_from_the_left_hand) {
+  runtime.hands.buttons["point left"] = true;
+  draw();
+  ASSERT_TRUE(view->pose().pointer);
+  EXPECT_NEAR(view->pose().pointer->to_m.x(), 4.8, 0.01);
 }
 
 TEST_F(HeadsetViewTest, sentences_are_before_the_eyes_until_they_are_no_longer_true) {

@@ -11,6 +11,7 @@
 #define XR_USE_GRAPHICS_API_OPENGL
 #include <openxr/openxr_platform.h>
 
+#include "roomcast/viewer/xr/controllers.h"
 #include "roomcast/viewer/xr/xr_status.h"
 #include "roomcast/viewer/xr/xr_struct.h"
 
@@ -18,7 +19,6 @@ namespace roomcast::viewer::xr {
 namespace {
 
 constexpr const char* kOpenGl = XR_KHR_OPENGL_ENABLE_EXTENSION_NAME;
-constexpr const char* kDepth = XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME;
 
 Result<std::vector<XrExtensionProperties>> offered_extensions() {
   std::uint32_t count = 0;
@@ -30,9 +30,17 @@ Result<std::vector<XrExtensionProperties>> offered_extensions() {
   return offered;
 }
 
-bool has(const std::vector<XrExtensionProperties>& offered, std::string_view name) {
+bool is_among(const std::vector<XrExtensionProperties>& offered, std::string_view name) {
   return std::ranges::any_of(
       offered, [&](const XrExtensionProperties& e) { return name == e.extensionName; });
+}
+
+std::vector<const char*> helpful_extensions() {
+  std::vector<const char*> names = {kDepth, kLocalFloor};
+  for (const Controller& controller : kControllers) {
+    if (controller.extension != nullptr) names.push_back(controller.extension);
+  }
+  return names;
 }
 
 Result<XrInstance> create_instance(const std::vector<const char*>& extensions) {
@@ -59,7 +67,7 @@ Result<Runtime> Runtime::open(const char* binding_extension) {
   std::vector<const char*> wanted = {kOpenGl};
   if (binding_extension != nullptr) wanted.push_back(binding_extension);
   for (const char* name : wanted) {
-    if (!has(*offered, name)) {
+    if (!is_among(*offered, name)) {
       return Error{ErrorCode::kUnavailable,
                    std::string("the headset's software does not offer ") + name +
                        ", which this window needs; on X11 another driver may help "
@@ -67,8 +75,9 @@ Result<Runtime> Runtime::open(const char* binding_extension) {
     }
   }
   Runtime runtime;
-  runtime.takes_depth_ = has(*offered, kDepth);
-  if (runtime.takes_depth_) wanted.push_back(kDepth);
+  for (const char* name : helpful_extensions()) {
+    if (is_among(*offered, name) && runtime.extensions_.insert(name).second) wanted.push_back(name);
+  }
   auto instance = create_instance(wanted);
   if (!instance) return instance.error();
   runtime.instance_ = *instance;
@@ -110,13 +119,13 @@ Runtime::~Runtime() {
 Runtime::Runtime(Runtime&& other) noexcept
     : instance_(std::exchange(other.instance_, XR_NULL_HANDLE)),
       system_(other.system_),
-      takes_depth_(other.takes_depth_),
+      extensions_(std::move(other.extensions_)),
       name_(std::move(other.name_)) {}
 
 Runtime& Runtime::operator=(Runtime&& other) noexcept {
   std::swap(instance_, other.instance_);
   std::swap(system_, other.system_);
-  std::swap(takes_depth_, other.takes_depth_);
+  std::swap(extensions_, other.extensions_);
   std::swap(name_, other.name_);
   return *this;
 }

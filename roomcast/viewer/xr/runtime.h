@@ -3,7 +3,10 @@
 // OpenXR 1.0, sections 4 and 5.
 #pragma once
 
+#include <functional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <openxr/openxr.h>
@@ -11,6 +14,12 @@
 #include "roomcast/core/result.h"
 
 namespace roomcast::viewer::xr {
+
+/// The runtime can use pictures' depth to reproject them to the head's pose at display time.
+inline constexpr const char* kDepth = XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME;
+/// A space with its origin on the floor where the wearer was at first, without a stage; younger
+/// than Debian 12's headers.
+inline constexpr const char* kLocalFloor = "XR_EXT_local_floor";
 
 class Runtime {
  public:
@@ -24,9 +33,10 @@ class Runtime {
 
   [[nodiscard]] XrInstance instance() const { return instance_; }
   [[nodiscard]] XrSystemId system() const { return system_; }
-  /// True if the runtime can use pictures' depth to reproject them to the head's pose at display
-  /// time.
-  [[nodiscard]] bool takes_depth() const { return takes_depth_; }
+  /// Whether this extension is in use: kDepth, kLocalFloor or a controller's.
+  [[nodiscard]] bool has(std::string_view extension) const {
+    return extensions_.contains(extension);
+  }
   /// Names of the headset and of the runtime.
   [[nodiscard]] const std::string& name() const { return name_; }
 
@@ -37,7 +47,7 @@ class Runtime {
 
   XrInstance instance_ = XR_NULL_HANDLE;
   XrSystemId system_ = XR_NULL_SYSTEM_ID;
-  bool takes_depth_ = false;
+  std::set<std::string, std::less<>> extensions_;
   std::string name_;
 };
 

@@ -32,6 +32,12 @@ double beyond_rest(double axis) {
 
 }  // namespace
 
+const VrHand* VrInput::pointing_hand(const ComfortOptions& comfort) const {
+  const VrHand &main = main_hand(comfort), &other = other_hand(comfort);
+  if (main.points) return &main;
+  return other.points || other.selects ? &other : nullptr;
+}
+
 void VrWalk::stand_at(const ViewState& view, const RigidTransform& stage_from_head) {
   world_from_stage_.rotation = yaw_matrix(view.yaw_rad - yaw_of(stage_from_head));
   world_from_stage_.translation_m.setZero();
@@ -40,18 +46,26 @@ void VrWalk::stand_at(const ViewState& view, const RigidTransform& stage_from_he
   world_from_stage_.translation_m = shift_m;
 }
 
+void VrWalk::follow_stage(const RigidTransform& old_stage_from_stage) {
+  RigidTransform moved;  // on the floor
+  moved.rotation = yaw_matrix(yaw_of(old_stage_from_stage));
+  moved.translation_m = old_stage_from_stage.translation_m;
+  moved.translation_m.y() = 0;
+  world_from_stage_ = world_from_stage_ * moved;
+}
+
 void VrWalk::advance(const VrInput& input, const ComfortOptions& comfort, double seconds) {
   const double step_s = std::clamp(seconds, 0.0, kLongestStep_s);
+  const VrHand &main = input.main_hand(comfort), &other = input.other_hand(comfort);
   turn(input, comfort, step_s);
-  const bool walks = comfort.smooth_walk && input.walk.norm() > kStickRest;
-  if (walks) walk(input, comfort, step_s);
+  if (comfort.smooth_walk && other.stick.norm() > kStickRest) walk(input, comfort, step_s);
   // Pushing the turning stick forward teleports; without smooth walking, so does the walking stick.
-  const double push = std::max(input.turn.y(), comfort.smooth_walk ? 0.0 : input.walk.y());
-  teleport(input, push > (aims_ ? kAimRelease : kAimPush));
+  const double push = std::max(main.stick.y(), comfort.smooth_walk ? 0.0 : other.stick.y());
+  teleport(input, main, main.selects || push > (aims_ ? kAimRelease : kAimPush));
 }
 
 void VrWalk::turn(const VrInput& input, const ComfortOptions& comfort, double seconds) {
-  const double push = input.turn.x();
+  const double push = input.main_hand(comfort).stick.x();
   if (!comfort.snap_turn) {
     const double yaw_rad = -beyond_rest(push) * comfort.smooth_turn_rad_per_s * seconds;
     return turn_around_head(input.stage_from_head, yaw_rad);
@@ -72,18 +86,19 @@ void VrWalk::turn_around_head(const RigidTransform& stage_from_head, double yaw_
 /// Forward is the head's direction.
 void VrWalk::walk(const VrInput& input, const ComfortOptions& comfort, double seconds) {
   const Eigen::Matrix3d forward = yaw_matrix(yaw_of(world_from_stage_ * input.stage_from_head));
-  const Eigen::Vector3d push(beyond_rest(input.walk.x()), 0, -beyond_rest(input.walk.y()));
+  const Eigen::Vector2d& stick = input.other_hand(comfort).stick;
+  const Eigen::Vector3d push(beyond_rest(stick.x()), 0, -beyond_rest(stick.y()));
   const Eigen::Vector3d step_m = comfort.walk_speed_m_per_s * seconds * (forward * push);
   world_from_stage_.translation_m = (world_from_stage_.translation_m + step_m)
                                         .cwiseMax(-kFarthestWalk_m)
                                         .cwiseMin(kFarthestWalk_m);
 }
 
-void VrWalk::teleport(const VrInput& input, bool aims) {
+void VrWalk::teleport(const VrInput& input, const VrHand& hand, bool aims) {
   const bool lets_go = aims_ && !aims;
   aims_ = aims;
   if (aims) {
-    const RigidTransform& stage_from_aim = input.stage_from_aim.value_or(input.stage_from_head);
+    const RigidTransform& stage_from_aim = hand.stage_from_aim.value_or(input.stage_from_head);
     target_m_ = landing_place_m(world_from_stage_ * stage_from_aim);
     return;
   }

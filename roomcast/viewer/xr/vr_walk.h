@@ -15,14 +15,33 @@
 
 namespace roomcast::viewer::xr {
 
-/// Input of a headset and its controllers. Sticks: right and forward are positive, -1..1.
+/// A hand, with its controller or without. The stick: right and forward are positive, -1..1.
+struct VrHand {
+  std::optional<RigidTransform> stage_from_grip;
+  std::optional<RigidTransform> stage_from_aim;  // points along -z
+  Eigen::Vector2d stick = Eigen::Vector2d::Zero();
+  bool points = false;   // the trigger is held
+  bool selects = false;  // the only button of a simple controller is held, or fingers pinch
+};
+
+/// Input of a headset and its controllers.
 struct VrInput {
   RigidTransform stage_from_head;
-  std::optional<RigidTransform> stage_from_left_hand, stage_from_right_hand;
-  std::optional<RigidTransform> stage_from_aim;  // of the right hand; points along -z
-  Eigen::Vector2d walk = Eigen::Vector2d::Zero(), turn = Eigen::Vector2d::Zero();
-  bool points = false;     // the trigger is held
-  bool recenters = false;  // pressed in this frame
+  VrHand left, right;
+  bool recenters = false;  // asked for in this frame
+  /// The headset's software has moved the stage before this frame.
+  std::optional<RigidTransform> old_stage_from_stage;
+
+  /// The hand that turns and teleports. The other one walks.
+  [[nodiscard]] const VrHand& main_hand(const ComfortOptions& comfort) const {
+    return comfort.left_handed ? left : right;
+  }
+  [[nodiscard]] const VrHand& other_hand(const ComfortOptions& comfort) const {
+    return comfort.left_handed ? right : left;
+  }
+  /// The hand with the laser pointer; null: none points. The main hand of simple controllers
+  /// teleports instead.
+  [[nodiscard]] const VrHand* pointing_hand(const ComfortOptions& comfort) const;
 };
 
 class VrWalk {
@@ -31,6 +50,9 @@ class VrWalk {
 
   /// Moves the stage so that the head has the view's x, z and yaw; the stage's floor is at y = 0.
   void stand_at(const ViewState& view, const RigidTransform& stage_from_head);
+
+  /// Keeps the person where they are in the world after the headset's software has moved the stage.
+  void follow_stage(const RigidTransform& old_stage_from_stage);
 
   /// Applies the sticks for this time. Long pauses are shortened.
   void advance(const VrInput& input, const ComfortOptions& comfort, double seconds);
@@ -44,7 +66,7 @@ class VrWalk {
   void turn(const VrInput& input, const ComfortOptions& comfort, double seconds);
   void turn_around_head(const RigidTransform& stage_from_head, double yaw_rad);
   void walk(const VrInput& input, const ComfortOptions& comfort, double seconds);
-  void teleport(const VrInput& input, bool aims);
+  void teleport(const VrInput& input, const VrHand& hand, bool aims);
 
   RigidTransform world_from_stage_;
   bool stick_is_turned_ = false;

@@ -48,7 +48,8 @@ XrQuaternionf product(const XrQuaternionf& a, const XrQuaternionf& b) {
 XRAPI_ATTR XrResult XRAPI_CALL locate_views(XrSession, const XrViewLocateInfo* info,
                                             XrViewState* state, std::uint32_t capacity,
                                             std::uint32_t* count, XrView* views) {
-  const TestRuntime& runtime = TestRuntime::instance();
+  TestRuntime& runtime = TestRuntime::instance();
+  runtime.stage = reinterpret_cast<const SpaceRecord*>(info->space)->type;
   *count = 2;
   state->viewStateFlags =
       runtime.is_tracked ? XR_VIEW_STATE_POSITION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_VALID_BIT
@@ -147,9 +148,9 @@ XrResult take_board(const XrCompositionLayerBaseHeader* base) {
     return violation("a second layer that is no board in a space", XR_ERROR_LAYER_INVALID);
   if (const XrResult checked = check_part(layer->subImage); checked != XR_SUCCESS) return checked;
   const auto& space = *reinterpret_cast<const SpaceRecord*>(layer->space);
-  TestRuntime::instance().given_board = {
-      read_part<Rgb8>(layer->subImage, GL_RGB, GL_UNSIGNED_BYTE), layer->pose, layer->size,
-      space.type == XR_REFERENCE_SPACE_TYPE_VIEW};
+  TestRuntime::instance().given_board = {read_part<Rgb8>(layer->subImage, GL_RGB, GL_UNSIGNED_BYTE),
+                                         layer->pose, layer->size,
+                                         space.type == XR_REFERENCE_SPACE_TYPE_VIEW};
   return XR_SUCCESS;
 }
 
@@ -162,6 +163,11 @@ XRAPI_ATTR XrResult XRAPI_CALL end_frame(XrSession, const XrFrameEndInfo* info) 
   ++runtime.frames;
   if (info->displayTime != session.display)
     return violation("a frame for another time", XR_ERROR_TIME_INVALID);
+  if (std::ranges::find(runtime.blend_modes, info->environmentBlendMode) ==
+      runtime.blend_modes.end())
+    return violation("a blend mode that is not offered",
+                     XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED);
+  runtime.blend_mode = info->environmentBlendMode;
   runtime.given_board.reset();
   if (info->layerCount == 0) return XR_SUCCESS;
   const XrResult eyes = take_eyes(info->layers[0]);

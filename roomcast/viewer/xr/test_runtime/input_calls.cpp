@@ -52,11 +52,23 @@ XRAPI_ATTR XrResult XRAPI_CALL destroy_action(XrAction) {
   return XR_SUCCESS;
 }
 
+/// As a real runtime does, takes all bindings of a profile or none.
 XRAPI_ATTR XrResult XRAPI_CALL suggest_bindings(XrInstance,
                                                 const XrInteractionProfileSuggestedBinding* info) {
-  const bool is_empty =
-      info->countSuggestedBindings == 0 || info->interactionProfile == XR_NULL_PATH;
-  return is_empty ? violation("bindings of nothing", XR_ERROR_VALIDATION_FAILURE) : XR_SUCCESS;
+  if (info->countSuggestedBindings == 0 || info->interactionProfile == XR_NULL_PATH)
+    return violation("bindings of nothing", XR_ERROR_VALIDATION_FAILURE);
+  SessionRecord& session = session_record();
+  const std::string profile = session.path_names.at(info->interactionProfile);
+  std::map<std::string, std::string> bindings;
+  for (std::uint32_t i = 0; i < info->countSuggestedBindings; ++i) {
+    const auto& [action, path] = info->suggestedBindings[i];
+    const std::string part = session.path_names.at(path);
+    if (!has_part(profile, part))
+      return violation("a controller's part that there is not", XR_ERROR_PATH_UNSUPPORTED);
+    bindings[part] = session.actions.at(action);
+  }
+  TestRuntime::instance().bindings[profile] = bindings;
+  return XR_SUCCESS;
 }
 
 XRAPI_ATTR XrResult XRAPI_CALL attach(XrSession, const XrSessionActionSetsAttachInfo*) {
@@ -74,15 +86,22 @@ XRAPI_ATTR XrResult XRAPI_CALL sync(XrSession, const XrActionsSyncInfo*) {
   return session.state == XR_SESSION_STATE_FOCUSED ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
 }
 
+std::string hand_of(XrPath path) {
+  const std::string& name = session_record().path_names.at(path);
+  return name.empty() ? "" : " " + name.substr(name.rfind('/') + 1);
+}
+
 XRAPI_ATTR XrResult XRAPI_CALL get_boolean(XrSession, const XrActionStateGetInfo* info,
                                            XrActionStateBoolean* state) {
   SessionRecord& session = session_record();
-  const std::string name = session.actions.at(info->action);
-  const bool now = TestRuntime::instance().hands.buttons[name];
+  const std::string name = session.actions.at(info->action) + hand_of(info->subactionPath);
+  const auto& buttons = TestRuntime::instance().hands.buttons;
+  const auto scripted = buttons.find(name);
+  const bool now = scripted != buttons.end() && scripted->second;
   bool& before = session.last_buttons[name];
   state->currentState = now ? XR_TRUE : XR_FALSE;
   state->changedSinceLastSync = now != before ? XR_TRUE : XR_FALSE;
-  state->isActive = XR_TRUE;
+  state->isActive = scripted != buttons.end() ? XR_TRUE : XR_FALSE;
   state->lastChangeTime = session.display;
   before = now;
   return XR_SUCCESS;

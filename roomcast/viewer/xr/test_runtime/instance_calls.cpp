@@ -17,7 +17,9 @@ using XrAnswer = XrResult;
 
 std::vector<std::string> offered() {
   std::vector<std::string> names = {"XR_KHR_opengl_enable", "XR_MNDX_egl_enable"};
-  if (TestRuntime::instance().offers_depth) names.emplace_back("XR_KHR_composition_layer_depth");
+  const TestRuntime& runtime = TestRuntime::instance();
+  if (runtime.offers_depth) names.emplace_back("XR_KHR_composition_layer_depth");
+  names.insert(names.end(), runtime.more_extensions.begin(), runtime.more_extensions.end());
   return names;
 }
 
@@ -38,10 +40,12 @@ XRAPI_ATTR XrAnswer XRAPI_CALL enumerate_extensions(const char*, std::uint32_t c
 XRAPI_ATTR XrAnswer XRAPI_CALL create_instance(const XrInstanceCreateInfo* info,
                                                XrInstance* instance) {
   if (!TestRuntime::instance().service_runs) return XR_ERROR_RUNTIME_FAILURE;
+  TestRuntime::instance().extensions.clear();
   for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i) {
     bool known = false;
     for (const std::string& name : offered()) known |= name == info->enabledExtensionNames[i];
     if (!known) return XR_ERROR_EXTENSION_NOT_PRESENT;
+    TestRuntime::instance().extensions.emplace(info->enabledExtensionNames[i]);
   }
   *instance = kTheInstance;
   return XR_SUCCESS;
@@ -100,7 +104,7 @@ XRAPI_ATTR XrAnswer XRAPI_CALL enumerate_blend_modes(XrInstance, XrSystemId,
                                                      XrViewConfigurationType,
                                                      std::uint32_t capacity, std::uint32_t* count,
                                                      XrEnvironmentBlendMode* out) {
-  return fill<XrEnvironmentBlendMode>(capacity, count, out, {XR_ENVIRONMENT_BLEND_MODE_OPAQUE});
+  return fill<XrEnvironmentBlendMode>(capacity, count, out, TestRuntime::instance().blend_modes);
 }
 
 XRAPI_ATTR XrAnswer XRAPI_CALL enumerate_view_configurations(XrInstance, XrSystemId,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // TestRuntime: sessions, spaces and swapchains (OpenXR 1.0, sections 7, 9 and 10.1).
+#include <algorithm>
 #include <memory>
 
 #define XR_USE_PLATFORM_EGL
@@ -16,8 +17,8 @@ namespace {
 void send_state(XrSessionState state) {
   SessionRecord& session = session_record();
   session.state = state;
-  session.events.push_back(
-      {XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr, kTheSession, state, session.display});
+  session.events.push_back(packed(XrEventDataSessionStateChanged{
+      XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr, kTheSession, state, session.display}));
 }
 
 /// Runtimes find their own GL functions through the client's eglGetProcAddress.
@@ -85,13 +86,14 @@ XRAPI_ATTR XrResult XRAPI_CALL request_exit(XrSession) {
 
 XRAPI_ATTR XrResult XRAPI_CALL enumerate_spaces(XrSession, std::uint32_t capacity,
                                                 std::uint32_t* count, XrReferenceSpaceType* out) {
-  return fill<XrReferenceSpaceType>(
-      capacity, count, out,
-      {XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL, XR_REFERENCE_SPACE_TYPE_STAGE});
+  return fill<XrReferenceSpaceType>(capacity, count, out, TestRuntime::instance().spaces);
 }
 
 XRAPI_ATTR XrResult XRAPI_CALL create_space(XrSession, const XrReferenceSpaceCreateInfo* info,
                                             XrSpace* space) {
+  const auto& offered = TestRuntime::instance().spaces;
+  if (std::find(offered.begin(), offered.end(), info->referenceSpaceType) == offered.end())
+    return violation("a space that is not offered", XR_ERROR_REFERENCE_SPACE_UNSUPPORTED);
   ++TestRuntime::instance().open_handles;
   *space = handle_from<XrSpace>(
       new SpaceRecord{info->poseInReferenceSpace, -1, info->referenceSpaceType});

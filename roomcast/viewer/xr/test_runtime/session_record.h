@@ -2,6 +2,7 @@
 // SessionRecord: TestRuntime's state behind OpenXR's handles.
 #pragma once
 
+#include <cstring>
 #include <deque>
 #include <map>
 #include <string>
@@ -33,12 +34,23 @@ struct SessionRecord {
   bool frame_waited = false, frame_begun = false;
   XrSessionState state = XR_SESSION_STATE_UNKNOWN;
   XrTime display = 0;
-  std::deque<XrEventDataSessionStateChanged> events;
+  std::deque<XrEventDataBuffer> events;
   std::map<std::string, XrPath> paths;
   std::vector<std::string> path_names = {""};
   std::map<XrAction, std::string> actions;
   std::map<std::string, bool> last_buttons;
 };
+
+/// To be polled by the client.
+template <class Event>
+XrEventDataBuffer packed(const Event& event) {
+  XrEventDataBuffer buffer{};
+  std::memcpy(&buffer, &event, sizeof event);
+  return buffer;
+}
+
+/// Whether a controller of this profile has this part; extensions decide whether it is known.
+bool has_part(const std::string& profile, const std::string& part);
 
 /// The record of the single client.
 SessionRecord& session_record();

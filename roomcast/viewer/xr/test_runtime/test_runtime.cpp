@@ -30,8 +30,8 @@ void TestRuntime::reset() {
 void TestRuntime::change_state(XrSessionState state) {
   SessionRecord& session = session_record();
   session.state = state;
-  session.events.push_back(
-      {XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr, kTheSession, state, session.display});
+  session.events.push_back(packed(XrEventDataSessionStateChanged{
+      XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr, kTheSession, state, session.display}));
 }
 
 void TestRuntime::take_off() {
@@ -49,6 +49,13 @@ void TestRuntime::ask_for_end() {
   take_off();
   change_state(XR_SESSION_STATE_IDLE);
   change_state(XR_SESSION_STATE_EXITING);
+}
+
+void TestRuntime::move_space(XrReferenceSpaceType type, XrTime when,
+                             std::optional<XrPosef> new_in_old) {
+  session_record().events.push_back(packed(XrEventDataReferenceSpaceChangePending{
+      XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING, nullptr, kTheSession, type, when,
+      static_cast<XrBool32>(new_in_old.has_value()), new_in_old.value_or(XrPosef{})}));
 }
 
 void TestRuntime::lose_session() {

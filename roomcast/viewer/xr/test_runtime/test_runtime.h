@@ -12,6 +12,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,8 @@ struct GivenBoard {
   bool goes_with_head = false;
 };
 
-/// The state of the wearer's hands, by the names of the client's actions.
+/// The state of the wearer's hands, by the names of the client's actions, of those of each hand
+/// with " left" or " right". An action without a state is inactive.
 struct ScriptedHands {
   std::map<std::string, XrVector2f> sticks;
   std::map<std::string, bool> buttons;
@@ -67,6 +69,10 @@ class TestRuntime {
   bool service_runs = true;  // else no instance can be created
   bool is_connected = true;  // whether there is a headset
   bool offers_depth = true;
+  std::vector<std::string> more_extensions;  // offered, too
+  std::vector<XrReferenceSpaceType> spaces = {
+      XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL, XR_REFERENCE_SPACE_TYPE_STAGE};
+  std::vector<XrEnvironmentBlendMode> blend_modes = {XR_ENVIRONMENT_BLEND_MODE_OPAQUE};
   bool is_tracked = true;            // whether the head is tracked
   bool is_seen = true;               // false: another program is in front
   std::deque<XrResult> image_waits;  // results of the next waits for images; then XR_SUCCESS
@@ -75,16 +81,23 @@ class TestRuntime {
   void put_on();
   void ask_for_end();
   void lose_session();
+  /// Announces that a space will have moved at this time; `new_in_old`: empty if not known.
+  void move_space(XrReferenceSpaceType type, XrTime when, std::optional<XrPosef> new_in_old);
 
   // Results.
   std::vector<std::string> violations;
   std::uint64_t frames = 0;  // frames ended
   std::uint64_t frames_with_layer = 0;
-  std::array<GivenEye, 2> given;  // of the last layer
+  std::array<GivenEye, 2> given;          // of the last layer
   std::optional<GivenBoard> given_board;  // of the last frame
-  bool uses_egl = false;          // whether the client's context is EGL's, else GLX's
-  int open_handles = 0;           // spaces, swapchains, action sets
-  int acquired_images = 0;        // and not released
+  bool uses_egl = false;                  // whether the client's context is EGL's, else GLX's
+  XrReferenceSpaceType stage = XR_REFERENCE_SPACE_TYPE_VIEW;  // of the views
+  XrEnvironmentBlendMode blend_mode{};                        // of the last frame
+  std::set<std::string> extensions;                           // in use
+  /// Of each interaction profile, its parts' actions.
+  std::map<std::string, std::map<std::string, std::string>> bindings;
+  int open_handles = 0;     // spaces, swapchains, action sets
+  int acquired_images = 0;  // and not released
 
  private:
   TestRuntime();
