@@ -105,7 +105,7 @@ inline const std::vector<Layer> kLayers = {
     {"viewer/report",
      "client/room core"},
     {"viewer/text",
-     "render/gl"},
+     "core render/gl"},
     {"viewer/people", "client/room core geometry render/view viewer/text", "render/gl"},
     {"viewer/view",
      "client/room core render render/blend render/gl render/view viewer/people"},
@@ -185,12 +185,13 @@ inline const std::vector<Layer> kLayers = {
     {"viewer/panel",
      "client/room core viewer/report viewer/text viewer/view viewer/window"},
     {"viewer/xr",
-     "client/room core geometry render/gl render/view viewer/view viewer/walk",
+     "client/room core geometry render/gl render/view viewer/report viewer/text viewer/view "
+     "viewer/walk",
      "render/surface viewer/window viewer/xr/test_runtime"},
     {"viewer",
-     "client client/room io render/view viewer/capture viewer/panel viewer/report viewer/view "
+     "client client/room core io render/view viewer/capture viewer/panel viewer/report viewer/view "
      "viewer/walk viewer/window viewer/xr",
-     "core viewer/xr/test_runtime"},
+     "viewer/xr/test_runtime"},
     {"viewer/xr/test_runtime",
      "",
      "core render/gl viewer/xr"},
