@@ -83,7 +83,11 @@ Status RoomRenderer::draw(const Eyes& eyes, const OffscreenTarget& target, Rende
     return Error{ErrorCode::kInvalidArgument,
                  "the view's size is not that of the picture it is drawn into"};
   }
-  target.clear(options_.background);
+  if (options_.background_is_clear) {
+    target.clear({}, 0);
+  } else {
+    target.clear(options_.background);
+  }
   if (options_.floor_grid) parts_.floor.draw(eyes, options_.floor_line);
   if (!uses_background_model(mode)) {
     draw_sensors(eyes, mode);

@@ -25,6 +25,9 @@ namespace roomcast::render {
 
 struct RenderOptions {
   Rgb8 background = {24, 26, 30};
+  /// Instead of the background, what the picture is laid over: there it is black, with alpha 0
+  /// (premultiplied).
+  bool background_is_clear = false;
   bool floor_grid = true;
   Rgb8 floor_line = {150, 160, 175};
   SurfaceMeshOptions mesh;

@@ -43,7 +43,10 @@ Status DesktopDisplay::apply(const ViewSettings& settings, const client::RoomSna
   render::RenderOptions options;
   options.unseen = settings.unseen;
   options.floor_grid = settings.floor_grid;
-  if (headset_runs() && headset_->adds_light()) options.background = {};
+  if (headset_runs()) {
+    if (headset_->adds_light()) options.background = {};
+    options.background_is_clear = settings.comfort.sees_through && headset_->may_see_through();
+  }
   Status status = room_view_.set_options(options);
   if (settings.hidden != hidden_) {
     hidden_ = settings.hidden;
@@ -82,7 +85,10 @@ std::optional<ViewerCommand> DesktopDisplay::draw_window(PanelFacts facts, Panel
                                                          ViewSettings& settings) {
   if (const render::OffscreenTarget* shown = picture()) window_->show(*shown);
   facts.driver = driver_;
-  if (headset_) facts.headset = headset_->report();
+  if (headset_) {
+    facts.headset = headset_->report();
+    facts.may_see_through = headset_->may_see_through();
+  }
   facts.no_headset = no_headset_;
   panel_layer_->begin();
   const auto command = panel.draw(facts, settings);

@@ -74,11 +74,11 @@ void OffscreenTarget::bind() const {
   glViewport(0, 0, eyes_ * width_, height_);
 }
 
-void OffscreenTarget::clear(Rgb8 background) const {
+void OffscreenTarget::clear(Rgb8 background, float alpha) const {
   bind();
   const auto share = [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; };
   const std::array<float, 4> color = {share(background.r), share(background.g), share(background.b),
-                                      1.0F};
+                                      alpha};
   const std::array<GLint, 4> nobody = {kDrawnByNoSensor, 0, 0, 0};
   constexpr float kFarthest = 1.0F;
   glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, kColorAttachment, color.data());

@@ -26,8 +26,9 @@ class OffscreenTarget {
 
   /// Binds the framebuffer and sets the viewport, so that drawing goes here.
   void bind() const;
-  /// Binds the framebuffer and clears it: one colour, infinite depth, no sensor.
-  void clear(Rgb8 background) const;
+  /// Binds the framebuffer and clears it: one colour, infinite depth, no sensor. `alpha`: 0 where
+  /// something else is to be seen through the background, else 1.
+  void clear(Rgb8 background, float alpha = 1) const;
 
   /// Size of each eye's part, pixels.
   [[nodiscard]] int width() const { return width_; }

@@ -24,14 +24,15 @@ struct PanelFacts {
   const RoomFigures& figures;
   std::optional<LatencyStages> latency;
   std::vector<Toast> toasts;
-  double drawn_per_s = 0;       // of the room
-  double drawing_ms = 0;        // of the last picture
-  PictureSize size = {};        // of the last picture, or of each eye's, pixels
-  bool is_worn = false;         // the last picture was the headset's
-  double speed_m_per_s = 0;     // of walking
-  std::string driver = {};      // of the GPU
-  std::string video = {};       // file or folder being recorded; empty: none
-  std::string headset = {};     // name and timing; empty: none
+  double drawn_per_s = 0;        // of the room
+  double drawing_ms = 0;         // of the last picture
+  PictureSize size = {};         // of the last picture, or of each eye's, pixels
+  bool is_worn = false;          // the last picture was the headset's
+  double speed_m_per_s = 0;      // of walking
+  std::string driver = {};       // of the GPU
+  std::string video = {};        // file or folder being recorded; empty: none
+  bool may_see_through = false;  // the headset can show what is around the wearer
+  std::string headset = {};      // name and timing; empty: none
   std::string no_headset = {};  // why there is none, a sentence; empty: there is, or none is wanted
 };
 

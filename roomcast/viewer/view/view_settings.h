@@ -18,7 +18,8 @@ struct ComfortOptions {
   double snap_rad = std::numbers::pi / 6;
   double smooth_turn_rad_per_s = 1.4;
   double walk_speed_m_per_s = 1.4;
-  bool left_handed = false;  // the left hand turns and teleports, the right one walks
+  bool sees_through = false;  // the wearer's own room behind the surfaces, where displays can
+  bool left_handed = false;   // the left hand turns and teleports, the right one walks
 };
 
 struct ViewSettings {

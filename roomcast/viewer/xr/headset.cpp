@@ -16,6 +16,7 @@ namespace {
 constexpr XrViewConfigurationType kStereo = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
 constexpr std::array<std::int64_t, 2> kColorFormats = {GL_SRGB8_ALPHA8, GL_RGBA8};
 constexpr std::array<std::int64_t, 1> kDepthFormats = {GL_DEPTH_COMPONENT32F};
+constexpr auto kSeeThrough = XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND;
 constexpr float kEyeHeight_m = 1.6F;
 /// XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT
 constexpr auto kLocalFloorSpace = static_cast<XrReferenceSpaceType>(1000426000);
@@ -94,6 +95,7 @@ Status Headset::choose_blend_mode() {
   const auto opaque = std::ranges::find(offered, XR_ENVIRONMENT_BLEND_MODE_OPAQUE);
   if (offered.empty()) return unavailable("the headset does not say how it shows pictures");
   blend_mode_ = opaque != offered.end() ? *opaque : offered.front();
+  may_see_through_ = std::ranges::find(offered, kSeeThrough) != offered.end();
   return {};
 }
 
@@ -279,7 +281,9 @@ Status Headset::end_frame() {
                              reinterpret_cast<const XrCompositionLayerBaseHeader*>(&notices)};
   auto info = xr_struct<XrFrameEndInfo>(XR_TYPE_FRAME_END_INFO);
   info.displayTime = frame_.predictedDisplayTime;
-  info.environmentBlendMode = blend_mode_;
+  const bool sees_through = may_see_through_ && sees_through_;
+  if (sees_through) layer.layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
+  info.environmentBlendMode = sees_through ? kSeeThrough : blend_mode_;
   const std::uint32_t count = notices_->is_shown() ? 2 : 1;
   info.layerCount = has_layer && *has_layer ? count : 0;
   info.layers = layers.data();

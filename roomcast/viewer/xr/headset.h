@@ -55,6 +55,10 @@ class Headset {
   [[nodiscard]] bool adds_light() const {
     return blend_mode_ == XR_ENVIRONMENT_BLEND_MODE_ADDITIVE;
   }
+  /// True if the displays can show what is around the wearer where a picture is transparent.
+  [[nodiscard]] bool may_see_through() const { return may_see_through_; }
+  /// From the next frame on, where the displays can: pictures are premultiplied by their alpha.
+  void see_through(bool on) { sees_through_ = on; }
   [[nodiscard]] XrSessionState state() const { return state_; }
   [[nodiscard]] const std::string& name() const { return runtime_.name(); }
   [[nodiscard]] const FrameTiming& timing() const { return timing_; }
@@ -90,6 +94,7 @@ class Headset {
   GraphicsBinding binding_;
   XrSession session_ = XR_NULL_HANDLE;
   XrEnvironmentBlendMode blend_mode_ = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
+  bool may_see_through_ = false, sees_through_ = false;
   XrReferenceSpaceType stage_type_ = XR_REFERENCE_SPACE_TYPE_STAGE;
   XrSpace stage_ = XR_NULL_HANDLE;
   std::vector<XrEventDataReferenceSpaceChangePending> space_changes_;  // of the stage, to come

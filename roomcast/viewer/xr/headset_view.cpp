@@ -36,6 +36,7 @@ Result<std::unique_ptr<HeadsetView>> HeadsetView::open() {
 
 Status HeadsetView::draw(RoomView& room, const ViewSettings& settings, const ViewState& start,
                          const std::vector<Toast>& sentences) {
+  headset_->see_through(settings.comfort.sees_through);
   const auto frame = headset_->begin_frame();
   if (!frame) return frame.error();
   is_seen_ = frame->is_seen;

@@ -32,6 +32,8 @@ class HeadsetView {
   [[nodiscard]] bool is_seen() const { return is_seen_ && is_running(); }
   /// True if the displays add the picture to what the wearer sees anyway: black is nothing.
   [[nodiscard]] bool adds_light() const { return headset_->adds_light(); }
+  /// True if the displays can show what is around the wearer.
+  [[nodiscard]] bool may_see_through() const { return headset_->may_see_through(); }
   [[nodiscard]] bool has_exited() const { return headset_->has_exited(); }
 
   /// Waits until the headset wants a frame, moves the wearer and draws. `start`: the wearer's

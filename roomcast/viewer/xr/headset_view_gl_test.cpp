@@ -28,10 +28,13 @@ class HeadsetViewTest : public render::GlTest {
     ASSERT_TRUE(made.ok()) << made.error().message;
     room.emplace(std::move(*made));
     ASSERT_TRUE(room->show(grey_room()).ok());
+    settings.mode = render::RenderMode::kMesh;
+    open();
+  }
+  void open() {
     auto opened = HeadsetView::open();
     ASSERT_TRUE(opened.ok()) << opened.error().message;
     view = std::move(*opened);
-    settings.mode = render::RenderMode::kMesh;
     ASSERT_TRUE(view->poll().ok());
   }
   void TearDown() override {
@@ -128,6 +131,34 @@ TEST_F(HeadsetViewTest, a_stage_that_moves_by_an_unknown_step_brings_the_wearer_
   draw();
   EXPECT_LT((view->pose().world_from_head.translation_m - Eigen::Vector3d(5, 1.6, 0)).norm(), 1e-5);
   EXPECT_LT((view->pose().world_from_head.rotation - Eigen::Matrix3d::Identity()).norm(), 1e-5);
+}
+
+TEST_F(HeadsetViewTest, the_wearers_own_room_is_seen_around_the_surfaces_where_displays_can) {
+  settings.comfort.sees_through = true;
+  draw();
+  EXPECT_EQ(runtime.blend_mode, XR_ENVIRONMENT_BLEND_MODE_OPAQUE) << "they cannot";
+  EXPECT_TRUE(runtime.given[0].alpha.empty());
+  view.reset();
+  runtime.blend_modes.push_back(XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND);
+  open();
+  ASSERT_TRUE(view->may_see_through());
+  render::RenderOptions clear;
+  clear.background_is_clear = true;
+  clear.floor_grid = false;
+  ASSERT_TRUE(room->set_options(clear).ok());
+  for (const auto mode : render::kRenderModes) {
+    settings.mode = mode;
+    draw();
+    EXPECT_EQ(runtime.blend_mode, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND);
+    const GivenEye& eye = runtime.given[0];
+    const int x = eye.color.width() / 2, y = eye.color.height() / 2;
+    EXPECT_EQ(eye.alpha.at(x, y), 255) << "the wall, " << name_of(mode);
+    EXPECT_EQ(eye.alpha.at(1, 1), 0) << "beside it, " << name_of(mode);
+    EXPECT_EQ(eye.color.at(1, 1), Rgb8{});
+  }
+  settings.comfort.sees_through = false;
+  draw();
+  EXPECT_EQ(runtime.blend_mode, XR_ENVIRONMENT_BLEND_MODE_OPAQUE);
 }
 
 TEST_F(HeadsetViewTest, the_left_trigger_points_from_the_left_hand) {

@@ -111,7 +111,7 @@ const XrCompositionLayerDepthInfoKHR* depth_of(const XrCompositionLayerProjectio
   return is_depth ? reinterpret_cast<const XrCompositionLayerDepthInfoKHR*>(next) : nullptr;
 }
 
-XrResult take_eye(const XrCompositionLayerProjectionView& view, GivenEye& given) {
+XrResult take_eye(const XrCompositionLayerProjectionView& view, bool has_alpha, GivenEye& given) {
   if (const XrResult checked = check_part(view.subImage); checked != XR_SUCCESS) return checked;
   const XrQuaternionf& q = view.pose.orientation;
   if (std::abs(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w - 1) > 0.01F)
@@ -120,6 +120,7 @@ XrResult take_eye(const XrCompositionLayerProjectionView& view, GivenEye& given)
   given.pose = view.pose;
   given.fov = view.fov;
   given.color = read_part<Rgb8>(view.subImage, GL_RGB, GL_UNSIGNED_BYTE);
+  if (has_alpha) given.alpha = read_part<std::uint8_t>(view.subImage, GL_ALPHA, GL_UNSIGNED_BYTE);
   const auto* const depth = depth_of(view);
   if (depth == nullptr) return XR_SUCCESS;
   if (const XrResult checked = check_part(depth->subImage); checked != XR_SUCCESS) return checked;
@@ -136,7 +137,9 @@ XrResult take_eyes(const XrCompositionLayerBaseHeader* base) {
   TestRuntime& runtime = TestRuntime::instance();
   ++runtime.frames_with_layer;
   for (std::size_t eye = 0; eye < 2; ++eye) {
-    const XrResult taken = take_eye(layer->views[eye], runtime.given[eye]);
+    const bool has_alpha =
+        (layer->layerFlags & XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT) != 0;
+    const XrResult taken = take_eye(layer->views[eye], has_alpha, runtime.given[eye]);
     if (taken != XR_SUCCESS) return taken;
   }
   return XR_SUCCESS;

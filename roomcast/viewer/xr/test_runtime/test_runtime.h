@@ -25,6 +25,7 @@ namespace roomcast::viewer::xr {
 /// The pictures of one eye in a frame.
 struct GivenEye {
   ColorImage color;    // the part named by the layer; top row first
+  MaskImage alpha;     // the layer's, 255: opaque; empty if the layer does not use it
   Image<float> depth;  // OpenGL's, 0..1; empty: the client gave none
   XrPosef pose{};
   XrFovf fov{};
