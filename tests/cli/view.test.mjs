@@ -80,12 +80,6 @@ test('window_says_on_stderr_what_is_wrong_with_the_named_headset_software', asyn
   match(viewer.stderr, /^roomcast view: The room is shown on the desktop only: XR_RUNTIME_JSON is "\/nonexistent.json"/m);
 });
 
-test('options_that_would_be_ignored_are_wrong_usage', async () => {
-  const hub = ['view', '--hub', 'ws://127.0.0.1:1'];
-  assertFailed(await run(...hub, '--json'), 2, /--json requires --png/);
-  assertFailed(await run(...hub, '--vr', '--png', 'room.png'), 2, /--vr excludes --png/);
-});
-
 test('headless_without_a_file_is_wrong_usage', async () => {
   assertFailed(await run('view', '--hub', 'ws://127.0.0.1:1', '--headless'), 2, /--png/);
 });
