@@ -70,6 +70,7 @@ Result<std::optional<DrawnPicture>> DesktopDisplay::draw_headset(const DesktopSt
   const Status drawn = headset_->draw(room_view_, state.settings(), state.start_view(),
                                       state.sentences_before_eyes(now));
   if (!drawn) return drawn.error();
+  if (!state.knows_start()) headset_->recenter();  // in the next frame, again
   if (!headset_->is_seen()) return std::optional<DrawnPicture>();
   const render::OffscreenTarget& eyes = *headset_->left_eye();
   return std::optional(DrawnPicture{

@@ -79,6 +79,29 @@ TEST_F(DesktopHeadsetTest, the_desktop_goes_on_while_nobody_sees_the_headsets_fr
   EXPECT_GT(runtime.frames, frames) << "the session goes on";
 }
 
+TEST_F(DesktopHeadsetTest, begins_at_the_start_although_the_hub_names_it_later) {
+  viewer.reset();
+  runtime.reset();
+  ::setenv("XR_RUNTIME_JSON", ROOMCAST_TEST_OPENXR, 1);
+  auto display = DesktopDisplay::open(options.window);
+  ASSERT_TRUE(display.ok()) << display.error().message;
+  DesktopState state(options.settings, std::nullopt);
+  const HostTime begin{1h};
+  ASSERT_TRUE(display->poll_headset(begin));
+  EXPECT_FALSE(display->poll_headset(begin));
+  ASSERT_TRUE(display->draw_headset(state, begin).ok());
+  auto room = std::make_shared<client::RoomSnapshot>();
+  room->revision = 1;
+  room->connected = true;
+  room->start_pose = RigidTransform{Eigen::Matrix3d::Identity(), {4, 1.2, 7}};
+  state.follow(room, begin);
+  const Eigen::Vector3d start_m(4, 1.6, 7);  // at the wearer's height
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(display->draw_headset(state, begin).ok());
+    EXPECT_LT((display->headset_pose().world_from_head.translation_m - start_m).norm(), 1e-5);
+  }
+}
+
 TEST_F(DesktopHeadsetTest, who_leaves_the_headset_is_not_brought_back_unasked) {
   viewer.reset();
   runtime.reset();

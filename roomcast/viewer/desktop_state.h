@@ -62,6 +62,8 @@ class DesktopState {
   [[nodiscard]] const ViewSettings& settings() const { return settings_; }
   [[nodiscard]] const client::RoomSnapshot& room() const { return *room_; }
   [[nodiscard]] ViewState start_view() const;
+  /// False until the hub has said where viewers start.
+  [[nodiscard]] bool knows_start() const { return start_.has_value() || room_->connected; }
   /// For a window of this size, pixels; at a lower resolution if the settings want that.
   [[nodiscard]] render::ViewCamera camera(PictureSize window) const;
   /// For screenshots and videos: pictures have the window's size, whatever the settings want.
