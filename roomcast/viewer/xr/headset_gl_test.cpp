@@ -228,6 +228,9 @@ TEST(HeadsetOnX11, keeps_the_rules_that_khronos_checks) {
     EXPECT_FALSE(TestRuntime::instance().uses_egl);
     ASSERT_TRUE((*headset)->poll().ok());
     for (int i = 0; i < 3; ++i) ASSERT_TRUE(draw_frame(**headset, *room, picture).ok());
+    ASSERT_TRUE((*headset)->tell({{Toast::Kind::kError, "The hub is lost."}}).ok());
+    ASSERT_TRUE(draw_frame(**headset, *room, picture).ok());
+    EXPECT_TRUE(TestRuntime::instance().given_board);
     EXPECT_TRUE((*headset)->request_exit().ok());
     EXPECT_FALSE((*headset)->poll().ok());
   }
