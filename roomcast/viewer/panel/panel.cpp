@@ -210,7 +210,7 @@ void draw_headset(const PanelFacts& facts, ComfortOptions& comfort) {
   if (facts.headset.empty() || !section("Headset")) return;
   ImGui::TextWrapped("%s", facts.headset.c_str());
   ImGui::Checkbox("walk with the stick (else teleport)", &comfort.smooth_walk);
-  ImGui::Checkbox("left-handed: turn and teleport left, walk right", &comfort.left_handed);
+  ImGui::Checkbox("left-handed: hands swapped", &comfort.left_handed);
   if (facts.may_see_through) ImGui::Checkbox("your own room around it", &comfort.sees_through);
   ImGui::Checkbox("turn by steps", &comfort.snap_turn);
   if (comfort.snap_turn) {
