@@ -175,6 +175,7 @@ Status run_calibrate(const CalibrateOptions& options) {
   const StopOnSignal stop;  // a signal ends the capture; the views captured so far are used
   sensor::SourceOptions source_options;
   source_options.loop = false;
+  source_options.stop = stop.token();
   source_options.pace = source::Pace::kAsFastAsPossible;  // for recordings; cameras have their own
   auto source = sensor::open_source(options.source, source_options);
   if (!source) return source.error();

@@ -73,10 +73,12 @@ Result<Feeds> start_feeds(const DemoOptions& options, const std::vector<std::str
   sensor::SourceOptions source_options;
   source_options.sim_fps = options.sim_fps;
   source_options.sim_sensor_count = options.sensors;
+  source_options.stop = stop;
   for (const auto& spec : specs) {
     if (stop.stop_requested()) break;
     line.show(fmt::format("starting sensor {} of {}: {}", feeds.size() + 1, specs.size(), spec));
     auto source = sensor::open_source(spec, source_options);
+    if (!source && stop.stop_requested()) break;
     if (!source) return source.error();
     sensor::SensorFeedOptions feed_options;
     feed_options.hub_url = fmt::format("ws://127.0.0.1:{}", port);

@@ -62,8 +62,10 @@ Status wait_for_end(const sensor::SensorFeed& feed, const std::string& name,
 Status run_sensor(SensorCommandOptions options) {
   StopOnSignal stop;
   options.source_options.loop = !options.once;
+  options.source_options.stop = stop.token();
   options.source_options.log = stderr_log("sensor", options.verbose);
   auto source = sensor::open_source(options.source, options.source_options);
+  if (!source && stop.token().stop_requested()) return {};
   if (!source) return source.error();
   const std::string name =
       options.feed.name.empty() ? (*source)->description().name : options.feed.name;

@@ -73,7 +73,8 @@ simulator::SimulatedSourceOptions simulated(const SourceOptions& options) {
   return {.pace = options.pace,
           .fps = options.sim_fps,
           .sensor_count = options.sim_sensor_count,
-          .seed = options.sim_seed};
+          .seed = options.sim_seed,
+          .workers = {0, options.stop}};
 }
 
 Result<std::unique_ptr<source::FrameSource>> open_as_it_is(const std::string& text,

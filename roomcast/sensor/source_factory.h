@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct SourceOptions {
   double sim_fps = 15;                     // sim: frames per second
   int sim_sensor_count = 3;                // sim: number of sensors around the room
   std::uint64_t sim_seed = 1;              // sim: noise and furniture
+  std::stop_token stop = {};               // sim: ends the preparation of the room
   source::CameraSettings camera = {};      // cameras: requested settings
   std::filesystem::path calibration = {};  // camera.json that overrides the source
   LogSink log = {};  // cameras: connection lost or back; called from a thread of theirs

@@ -29,14 +29,14 @@ void look(const SimulatedRoom& room, const MovingThings& things, const Look& at,
 }  // namespace
 
 ColorCamera::ColorCamera(const SimulatedRoom& room, const SensorUnit& unit,
-                         const RigidTransform& world_from_color, int threads)
+                         const RigidTransform& world_from_color, const Workers& workers)
     : room_(room),
       unit_gain_(unit.color_gain),
       camera_(unit.exact.color, world_from_color),
       meter_camera_(resampled(unit.exact.color, kMeterWidth / unit.exact.color.width),
                     world_from_color),
-      plate_(trace_color_plate(room.room(), room.rays(), camera_, threads)),
-      meter_plate_(trace_color_plate(room.room(), room.rays(), meter_camera_, threads)),
+      plate_(trace_color_plate(room.room(), room.rays(), camera_, workers)),
+      meter_plate_(trace_color_plate(room.room(), room.rays(), meter_camera_, workers)),
       calm_brightness_(mean_brightness(meter_plate_.color)) {}
 
 ColorCamera::Work ColorCamera::make_work() const {

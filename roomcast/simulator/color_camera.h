@@ -4,6 +4,7 @@
 #pragma once
 
 #include "roomcast/core/image.h"
+#include "roomcast/core/parallel_rows.h"
 #include "roomcast/simulator/people/moving_layer.h"
 #include "roomcast/simulator/people/moving_picture.h"
 #include "roomcast/simulator/people/moving_things.h"
@@ -26,7 +27,7 @@ class ColorCamera {
   };
 
   ColorCamera(const SimulatedRoom& room, const SensorUnit& unit,
-              const RigidTransform& world_from_color, int threads);
+              const RigidTransform& world_from_color, const Workers& workers);
 
   [[nodiscard]] Work make_work() const;
 

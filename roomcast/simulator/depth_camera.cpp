@@ -43,7 +43,7 @@ bool bounces_count(const SensorUnit& unit, bool noise) {
 
 DepthCamera::DepthCamera(const SimulatedRoom& room, const SensorUnit& unit,
                          const RigidTransform& world_from_depth, const SensingOptions& options,
-                         int threads)
+                         const Workers& workers)
     : room_(room.room()),
       noise_(options.noise),
       depth_scale_(unit.depth_scale),
@@ -51,7 +51,7 @@ DepthCamera::DepthCamera(const SimulatedRoom& room, const SensorUnit& unit,
       camera_(unit.exact.depth, world_from_depth),
       fine_camera_(resampled(unit.exact.depth, 2.0), world_from_depth),
       plate_(trace_depth_plate(room_, room.rays(), camera_, fine_camera_,
-                               bounces_count(unit, options.noise), threads)),
+                               bounces_count(unit, options.noise), workers)),
       still_mm_(rounded_mm(plate_.z_m)),
       sensing_(unit.profile, bias_of(unit, options.noise)),
       still_(expect_still().view()),

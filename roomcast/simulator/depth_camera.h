@@ -6,6 +6,7 @@
 
 #include "roomcast/core/clock.h"
 #include "roomcast/core/image.h"
+#include "roomcast/core/parallel_rows.h"
 #include "roomcast/simulator/people/moving_layer.h"
 #include "roomcast/simulator/people/moving_outline.h"
 #include "roomcast/simulator/people/moving_things.h"
@@ -27,7 +28,8 @@ class DepthCamera {
   };
 
   DepthCamera(const SimulatedRoom& room, const SensorUnit& unit,
-              const RigidTransform& world_from_depth, const SensingOptions& options, int threads);
+              const RigidTransform& world_from_depth, const SensingOptions& options,
+              const Workers& workers);
 
   [[nodiscard]] Work make_work() const;
   [[nodiscard]] const PlacedCamera& placed() const { return camera_; }

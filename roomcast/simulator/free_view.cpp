@@ -107,10 +107,10 @@ std::vector<Candidate> candidates(const SimulatedRoom& room,
 }  // namespace
 
 FreeView::FreeView(const SimulatedRoom& room, const CameraIntrinsics& lens,
-                   const RigidTransform& world_from_view, int threads)
+                   const RigidTransform& world_from_view, const Workers& workers)
     : room_(room),
       camera_(lens, world_from_view),
-      plate_(simulator::trace_color_plate(room.room(), room.rays(), camera_, threads)),
+      plate_(simulator::trace_color_plate(room.room(), room.rays(), camera_, workers)),
       layer_(lens.width, lens.height),
       depth_mm_(lens.width, lens.height) {}
 

@@ -9,6 +9,7 @@
 
 #include "roomcast/core/clock.h"
 #include "roomcast/core/image.h"
+#include "roomcast/core/parallel_rows.h"
 #include "roomcast/simulator/simulated_sensor.h"
 
 namespace roomcast::simulator {
@@ -18,9 +19,9 @@ inline constexpr std::size_t kMaxSeeingSensors = 8;
 
 class FreeView {
  public:
-  /// Traces the empty room on `threads` threads (0: all cores).
+  /// Traces the empty room.
   FreeView(const SimulatedRoom& room, const CameraIntrinsics& lens,
-           const RigidTransform& world_from_view, int threads);
+           const RigidTransform& world_from_view, const Workers& workers);
 
   /// Renders the things in their current state.
   void look(const simulator::MovingThings& things);

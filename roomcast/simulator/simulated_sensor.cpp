@@ -46,7 +46,9 @@ SimulatedSensor::Moment::Moment(const SimulatedSensor& sensor)
 Result<std::unique_ptr<SimulatedSensor>> SimulatedSensor::open(
     std::shared_ptr<const SimulatedRoom> room, const Options& options) {
   if (Status legal = check(options); !legal) return std::move(legal).error();
-  return std::unique_ptr<SimulatedSensor>(new SimulatedSensor(std::move(room), options));
+  std::unique_ptr<SimulatedSensor> sensor(new SimulatedSensor(std::move(room), options));
+  if (!options.workers.stop.stop_requested()) return sensor;
+  return Error{ErrorCode::kClosed, "stopped while the simulated room was being prepared"};
 }
 
 SimulatedSensor::SimulatedSensor(std::shared_ptr<const SimulatedRoom> room, const Options& options)
@@ -56,9 +58,9 @@ SimulatedSensor::SimulatedSensor(std::shared_ptr<const SimulatedRoom> room, cons
       world_from_depth_(
           world_from_mount(room_->room().sensor_mounts[static_cast<std::size_t>(options.index)]) *
           options.mount_from_depth),
-      depth_(*room_, unit_, world_from_depth_, options.sensing, options.threads),
+      depth_(*room_, unit_, world_from_depth_, options.sensing, options.workers),
       color_(*room_, unit_, world_from_depth_ * unit_.exact.color_from_depth.inverse(),
-             options.threads) {}
+             options.workers) {}
 
 std::uint32_t SimulatedSensor::noise_key(std::uint64_t frame) const {
   const auto key = simulator::hash_of(unit_.key, 6);

@@ -12,6 +12,7 @@
 
 #include "roomcast/core/clock.h"
 #include "roomcast/core/image.h"
+#include "roomcast/core/parallel_rows.h"
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/geometry/registration.h"
@@ -30,7 +31,7 @@ class SimulatedSensor {
     int count = 3;           // sensors around the room, 1..simulator::kMaxSimulatedSensors
     std::uint64_t seed = 1;  // of device differences and noise
     double speed = 1;        // of all motion: 0.05 is slow motion, 0 no motion
-    int threads = 0;         // for tracing the empty room; 0: all cores
+    Workers workers = {};    // for tracing the empty room
     simulator::SensingOptions sensing;
     RigidTransform mount_from_depth = {};  // displacement from its mount
   };
@@ -54,7 +55,7 @@ class SimulatedSensor {
     RegisteredColor registered_;
   };
 
-  /// kInvalidArgument for an index or count out of range.
+  /// kInvalidArgument for an index or count out of range; kClosed if the workers were stopped.
   static Result<std::unique_ptr<SimulatedSensor>> open(std::shared_ptr<const SimulatedRoom> room,
                                                        const Options& options);
 

@@ -57,7 +57,7 @@ Pictures pictures(const SimulatedSensor& sensor, nanoseconds time, std::uint64_t
 TEST(SimulatedSensor, same_seed_and_frame_give_the_same_bits_in_any_order) {
   const auto first = SimulatedSensor::open(office(), small(1, 42)).value();
   auto options = small(1, 42);
-  options.threads = 1;
+  options.workers = 1;
   const auto second = SimulatedSensor::open(office(), options).value();
   auto used = second->make_moment();
   for (int i = 0; i < 4; ++i) pictures(*second, used, milliseconds(300 * i), 8);

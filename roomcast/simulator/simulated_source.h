@@ -13,6 +13,7 @@
 #include <memory>
 #include <string>
 
+#include "roomcast/core/parallel_rows.h"
 #include "roomcast/core/result.h"
 #include "roomcast/source/frame_source.h"
 
@@ -26,12 +27,14 @@ struct SimulatedSourceOptions {
   double fps = 15;         // frames per second, above 0 and at most kMaxSimulatedFps
   int sensor_count = 3;    // number of sensors around the room
   std::uint64_t seed = 1;  // of noise and furniture
+  Workers workers = {};    // for preparing the room
 };
 
 /// Opens sensor "s<index>" of `options.sensor_count` in the room named by `spec`
 /// (simulated_spec.h). Its description has the reported calibration, the true world_from_depth and
 /// options.fps. kNotFound for an unknown scene (the message lists them); kInvalidArgument for an
-/// index, count, rate or option out of range; kUnavailable if the ray tracer does not start.
+/// index, count, rate or option out of range; kUnavailable if the ray tracer does not start;
+/// kClosed if the workers were stopped.
 [[nodiscard]] Result<std::unique_ptr<source::FrameSource>> open_simulated_source(
     const std::string& spec, int sensor_index, const SimulatedSourceOptions& options = {});
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Damaged recordings: roomcast names the file and the fault, and exits with 1.
 import assert from 'node:assert/strict';
-import { cpSync, readFileSync, readdirSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, readFileSync, readdirSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { setTimeout as delay } from 'node:timers/promises';
 
 import { Program, assertFailed, run, scratchFolder, startHub } from './program.mjs';
+
+const obeysWithin_ms = 1_000;
 
 /** A small recording made by the program itself; each test damages a copy of it. */
 let recording;
@@ -120,6 +123,32 @@ test('simulate_that_is_interrupted_leaves_a_recording_that_can_be_played', async
   await program.stop('SIGINT');
   const { code, stderr } = await run('info', rig);
   assert.equal(code, 0, stderr);
+});
+
+test('simulate_obeys_while_it_prepares_the_room', async (t) => {
+  const rig = join(scratchFolder(t), 'rig');
+  const program = new Program(['simulate', rig, '--sensors', '8', '--seconds', '60', '--views', '0']);
+  await delay(1_000);
+  const begin = performance.now();
+  const code = await program.stop('SIGINT');
+  const took_ms = performance.now() - begin;
+  t.diagnostic(`${took_ms.toFixed(0)} ms`);
+  assertFailed({ code, stderr: program.stderr }, 1, /stopped before the first frame/);
+  assert.equal(existsSync(rig), false, 'no empty folder is left');
+  assert.ok(took_ms < obeysWithin_ms, `${took_ms} ms`);
+});
+
+test('a_simulated_sensor_and_the_demo_obey_while_they_prepare_the_room', async (t) => {
+  const hub = await startHub(t);
+  for (const args of [['sensor', '--source', 'sim', '--hub', hub.url], ['demo', '--port', '0']]) {
+    const program = new Program(args);
+    await delay(700);
+    const begin = performance.now();
+    assert.equal(await program.stop('SIGINT'), 0, `${args[0]}: ${program.stderr}`);
+    const took_ms = performance.now() - begin;
+    t.diagnostic(`${args[0]}: ${took_ms.toFixed(0)} ms`);
+    assert.ok(took_ms < obeysWithin_ms, `${args[0]}: ${took_ms} ms`);
+  }
 });
 
 function hasPicture(rig) {

@@ -134,8 +134,10 @@ Status write_rig_views(const fs::path& folder, const SimulatedRoom& room,
   int done = 0;
   for (std::size_t v = 0; v < places.size(); ++v) {
     if (progress) progress(done, total);
-    FreeView view(room, lens, places[v], options.threads);
+    FreeView view(room, lens, places[v], options.workers);
     for (std::size_t t = 0; t < instants.size(); ++t) {
+      if (options.workers.stop.stop_requested())
+        return Error{ErrorCode::kClosed, "stopped; the free views are incomplete"};
       view.look(instants[t].things);
       const json names = entry(static_cast<int>(v), static_cast<int>(t), instants[t], places[v],
                                clocks, options.frames);

@@ -23,11 +23,12 @@ struct RigViewsOptions {
   std::uint64_t seed = 1;  // determines the viewpoints
   double speed = 1;        // of all motion, as in the recording
   int frames = 0;          // of the recording
-  int threads = 0;         // 0: all cores
+  Workers workers = {};
 };
 
 /// The instants are those of sensor 0's frames a third and two thirds into the recording (one
-/// instant if it has fewer than three frames). kUnavailable on a disk error.
+/// instant if it has fewer than three frames). kUnavailable on a disk error; kClosed if the workers
+/// were stopped.
 [[nodiscard]] Status write_rig_views(const std::filesystem::path& folder, const SimulatedRoom& room,
                                      std::span<const SimulatedSensor* const> sensors,
                                      std::span<const simulator::FrameClock> clocks,

@@ -50,18 +50,27 @@ struct Device {
 };
 using Devices = std::vector<Device>;
 
+int frame_count(const SimulateRigOptions& options) {
+  return std::max(1, static_cast<int>(std::lround(options.seconds * options.fps)));
+}
+
 void report(const SimulateWatcher& watcher, std::string_view doing, int done, int total) {
   if (watcher) watcher({doing, done, total});
 }
 
 Result<Devices> open_devices(const std::shared_ptr<const SimulatedRoom>& room,
-                             const SimulateRigOptions& options, const SimulateWatcher& watcher) {
+                             const SimulateRigOptions& options, const SimulateWatcher& watcher,
+                             const std::stop_token& stop) {
   Devices devices;
   const int count = std::max(options.sensor_count, 1);
   for (int i = 0; i < count; ++i) {
     report(watcher, "looking at the empty room", i, count);
-    auto sensor = SimulatedSensor::open(room, {i, options.sensor_count, options.seed, options.speed,
-                                               options.threads, options.sensing});
+    auto sensor = SimulatedSensor::open(room, {i,
+                                               options.sensor_count,
+                                               options.seed,
+                                               options.speed,
+                                               {options.threads, stop},
+                                               options.sensing});
     if (!sensor) return std::move(sensor).error();
     const simulator::FrameClock clock(options.timing, options.fps, (*sensor)->unit().key);
     devices.push_back({*std::move(sensor), clock, {}});
@@ -69,21 +78,26 @@ Result<Devices> open_devices(const std::shared_ptr<const SimulatedRoom>& room,
   return devices;
 }
 
+Status stopped_before_frames() {
+  return Error{ErrorCode::kClosed, "stopped before the first frame"};
+}
+
 /// Exposure depends on the previous frames, so it is computed before frames are rendered in
 /// parallel.
-Status meter(Devices& devices, int frames, int threads) {
+Status meter(Devices& devices, int frames, int threads, const std::stop_token& stop) {
   const auto meter_one = [&](int, int number) {
     Device& device = devices[static_cast<std::size_t>(number)];
     auto moment = device.sensor->make_moment();
     auto control = device.sensor->auto_exposure();
-    for (int i = 0; i < frames; ++i) {
+    for (int i = 0; i < frames && !stop.stop_requested(); ++i) {
       const nanoseconds time = device.clock.true_time(static_cast<std::uint64_t>(i));
       device.exposures.push_back(device.sensor->next_exposure(time, moment, control));
     }
     return Status();
   };
-  return run_in_order(static_cast<int>(devices.size()), threads, meter_one,
-                      [](int) { return Status(); });
+  return run_in_order(static_cast<int>(devices.size()), threads, meter_one, [&](int) {
+    return stop.stop_requested() ? stopped_before_frames() : Status();
+  });
 }
 
 enum class Calibration { kReported, kExact };
@@ -223,7 +237,7 @@ Status write_frames(const SimulateRigOptions& options, const Devices& devices, i
 
 Status write_views(const fs::path& folder, const SimulateRigOptions& options,
                    const SimulatedRoom& room, const Devices& devices, int frames,
-                   const SimulateWatcher& watcher) {
+                   const SimulateWatcher& watcher, const std::stop_token& stop) {
   if (options.views == 0) return {};
   std::vector<const SimulatedSensor*> sensors;
   std::vector<simulator::FrameClock> clocks;
@@ -233,7 +247,12 @@ Status write_views(const fs::path& folder, const SimulateRigOptions& options,
   }
   return write_rig_views(
       folder, room, sensors, clocks,
-      {options.views, options.view_side_px, options.seed, options.speed, frames, options.threads},
+      {options.views,
+       options.view_side_px,
+       options.seed,
+       options.speed,
+       frames,
+       {options.threads, stop}},
       [&](int done, int total) { report(watcher, "drawing free views", done, total); });
 }
 
@@ -246,18 +265,18 @@ void remove_contents(const fs::path& directory) {
 }
 
 Status write_rig(const fs::path& directory, const SimulateRigOptions& options,
-                 const SimulatedRoom& room, Devices& devices, recording::RigWriter& rig,
+                 const SimulatedRoom& room, const Devices& devices, recording::RigWriter& rig,
                  const SimulateWatcher& watcher, const std::stop_token& stop) {
   const std::string source = provenance(options, room.room());
   const int threads = thread_count(options.threads);
-  const int frames = std::max(1, static_cast<int>(std::lround(options.seconds * options.fps)));
+  const int frames = frame_count(options);
   auto truth =
       RigTruth::create(directory / "truth", options.fps, rig_sensors(devices, Calibration::kExact),
                        source, options.truth_color, harsh_truth(options, devices));
   if (!truth) return std::move(truth).error();
-  if (Status metered = meter(devices, frames, threads); !metered) return metered;
   Status written = write_frames(options, devices, frames, threads, rig, *truth, watcher, stop);
-  if (written) written = write_views(directory / "truth", options, room, devices, frames, watcher);
+  if (written)
+    written = write_views(directory / "truth", options, room, devices, frames, watcher, stop);
   if (!written && written.error().code != ErrorCode::kClosed) return written;
   if (Status finished = rig.finish(); !finished) return finished;
   return written;
@@ -270,8 +289,11 @@ Status simulate_rig(const fs::path& directory, const SimulateRigOptions& options
   if (Status legal = check(options); !legal) return legal;
   auto room = SimulatedRoom::build(options.scene, options.seed);
   if (!room) return std::move(room).error();
-  auto devices = open_devices(*room, options, watcher);
+  auto devices = open_devices(*room, options, watcher, stop);
+  if (!devices && stop.stop_requested()) return stopped_before_frames();
   if (!devices) return std::move(devices).error();
+  Status metered = meter(*devices, frame_count(options), thread_count(options.threads), stop);
+  if (!metered) return metered;
   auto rig = recording::RigWriter::create(
       directory, options.fps, rig_sensors(*devices, Calibration::kReported),
       {provenance(options, (*room)->room()), devices->front().sensor->unit().jpeg_quality});

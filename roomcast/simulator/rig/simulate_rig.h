@@ -65,7 +65,8 @@ using SimulateWatcher = std::function<void(const SimulateProgress&)>;
 
 /// kInvalidArgument for options out of range; kNotFound for an unknown scene; kUnavailable if the
 /// folder is not empty or on a disk error; then all written files are removed. kClosed if `stop`
-/// was requested: the files written until then remain, as a complete but shorter recording.
+/// was requested: the files written until then remain, as a complete but shorter recording; there
+/// are none if that was before the first frame.
 [[nodiscard]] Status simulate_rig(const std::filesystem::path& directory,
                                   const SimulateRigOptions& options,
                                   const SimulateWatcher& watcher = {}, std::stop_token stop = {});

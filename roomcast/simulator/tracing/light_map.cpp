@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "roomcast/core/assert.h"
-#include "roomcast/core/parallel_rows.h"
 #include "roomcast/simulator/random/value_noise.h"
 
 namespace roomcast::simulator {
@@ -28,13 +27,14 @@ float likeness(const LitPoint& node, const LitPoint& point) {
 
 }  // namespace
 
-LightMap::LightMap(const Room& room, const RayScene& scene, const PlacedCamera& camera, int threads)
+LightMap::LightMap(const Room& room, const RayScene& scene, const PlacedCamera& camera,
+                   const Workers& workers)
     : room_(room),
       scene_(scene),
       nodes_((camera.width() + kSpacing - 1) / kSpacing,
              (camera.height() + kSpacing - 1) / kSpacing) {
   ROOMCAST_ASSERT(room.lights.size() <= kMaxLights);
-  for_each_row(nodes_.height(), threads, [&](int j) {
+  for_each_row(nodes_.height(), workers, [&](int j) {
     for (int i = 0; i < nodes_.width(); ++i)
       nodes_.at(i, j) = node_at(i * kSpacing, j * kSpacing, camera);
   });

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "roomcast/core/image.h"
+#include "roomcast/core/parallel_rows.h"
 #include "roomcast/simulator/tracing/lighting.h"
 #include "roomcast/simulator/tracing/placed_camera.h"
 
@@ -16,7 +17,8 @@ namespace roomcast::simulator {
 
 class LightMap {
  public:
-  LightMap(const Room& room, const RayScene& scene, const PlacedCamera& camera, int threads);
+  LightMap(const Room& room, const RayScene& scene, const PlacedCamera& camera,
+           const Workers& workers);
 
   /// Light that arrives at a point seen at pixel (x, y), linear.
   [[nodiscard]] Eigen::Vector3f arriving(int x, int y, const LitPoint& point,

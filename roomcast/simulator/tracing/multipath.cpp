@@ -7,7 +7,6 @@
 #include <complex>
 #include <numbers>
 
-#include "roomcast/core/parallel_rows.h"
 #include "roomcast/simulator/tracing/lighting.h"
 
 namespace roomcast::simulator {
@@ -98,15 +97,15 @@ float blended(const Image<Node>& nodes, int x, int y, float z_m, float ray_lengt
 }  // namespace
 
 Image<float> trace_detours(const Room& room, const RayScene& scene, const PlacedCamera& camera,
-                           ImageView<const float> z_m, int threads) {
+                           ImageView<const float> z_m, const Workers& workers) {
   Image<Node> nodes((camera.width() + kSpacing - 1) / kSpacing,
                     (camera.height() + kSpacing - 1) / kSpacing);
-  for_each_row(nodes.height(), threads, [&](int j) {
+  for_each_row(nodes.height(), workers, [&](int j) {
     for (int i = 0; i < nodes.width(); ++i)
       nodes.at(i, j) = node_at(room, scene, camera, i * kSpacing, j * kSpacing);
   });
   Image<float> detour_m(camera.width(), camera.height());
-  for_each_row(camera.height(), threads, [&](int y) {
+  for_each_row(camera.height(), workers, [&](int y) {
     for (int x = 0; x < camera.width(); ++x) {
       const float ray_length = camera.direction(x, y).norm();
       if (z_m.at(x, y) > 0.0F) detour_m.at(x, y) = blended(nodes, x, y, z_m.at(x, y), ray_length);

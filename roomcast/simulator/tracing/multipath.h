@@ -13,6 +13,7 @@
 #pragma once
 
 #include "roomcast/core/image.h"
+#include "roomcast/core/parallel_rows.h"
 #include "roomcast/simulator/scene/room.h"
 #include "roomcast/simulator/tracing/placed_camera.h"
 #include "roomcast/simulator/tracing/ray_scene.h"
@@ -23,6 +24,6 @@ namespace roomcast::simulator {
 /// depth.
 [[nodiscard]] Image<float> trace_detours(const Room& room, const RayScene& scene,
                                          const PlacedCamera& camera, ImageView<const float> z_m,
-                                         int threads);
+                                         const Workers& workers);
 
 }  // namespace roomcast::simulator

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "roomcast/core/parallel_rows.h"
 #include "roomcast/simulator/random/value_noise.h"
 #include "roomcast/simulator/sensing/depth_reading.h"
 #include "roomcast/simulator/tracing/light_map.h"
@@ -20,8 +19,9 @@ using Eigen::Vector3f;
 /// Computes the light that reaches the camera along rays.
 class ColorTracer {
  public:
-  ColorTracer(const Room& room, const RayScene& scene, const PlacedCamera& camera, int threads)
-      : room_(room), scene_(scene), camera_(camera), lights_(room, scene, camera, threads) {}
+  ColorTracer(const Room& room, const RayScene& scene, const PlacedCamera& camera,
+              const Workers& workers)
+      : room_(room), scene_(scene), camera_(camera), lights_(room, scene, camera, workers) {}
 
   struct Sample {
     Vector3f light = Vector3f::Zero();
@@ -99,10 +99,10 @@ StillPoint still_point(const Room& room, const RayScene& scene, const PlacedCame
 }
 
 void trace_fine_samples(const Room& room, const RayScene& scene, const PlacedCamera& fine,
-                        int threads, DepthPlate& plate) {
+                        const Workers& workers, DepthPlate& plate) {
   plate.fine_z_m.resize(fine.width(), fine.height());
   plate.fine_strength.resize(fine.width(), fine.height());
-  for_each_row(fine.height(), threads, [&](int y) {
+  for_each_row(fine.height(), workers, [&](int y) {
     for (int x = 0; x < fine.width(); ++x) {
       const StillPoint point = still_point(room, scene, fine, x, y);
       plate.fine_z_m.at(x, y) = point.z_m;
@@ -114,13 +114,13 @@ void trace_fine_samples(const Room& room, const RayScene& scene, const PlacedCam
 }  // namespace
 
 DepthPlate trace_depth_plate(const Room& room, const RayScene& scene, const PlacedCamera& camera,
-                             const PlacedCamera& fine, bool multipath, int threads) {
+                             const PlacedCamera& fine, bool multipath, const Workers& workers) {
   const int width = camera.width();
   const int height = camera.height();
   DepthPlate plate;
   for (Image<float>* layer : {&plate.z_m, &plate.facing, &plate.infrared, &plate.detour_m})
     layer->resize(width, height);
-  for_each_row(height, threads, [&](int y) {
+  for_each_row(height, workers, [&](int y) {
     for (int x = 0; x < width; ++x) {
       const StillPoint point = still_point(room, scene, camera, x, y);
       plate.z_m.at(x, y) = point.z_m;
@@ -128,26 +128,26 @@ DepthPlate trace_depth_plate(const Room& room, const RayScene& scene, const Plac
       plate.infrared.at(x, y) = point.infrared;
     }
   });
-  trace_fine_samples(room, scene, fine, threads, plate);
-  if (multipath) plate.detour_m = trace_detours(room, scene, camera, plate.z_m.view(), threads);
+  trace_fine_samples(room, scene, fine, workers, plate);
+  if (multipath) plate.detour_m = trace_detours(room, scene, camera, plate.z_m.view(), workers);
   return plate;
 }
 
 ColorPlate trace_color_plate(const Room& room, const RayScene& scene, const PlacedCamera& camera,
-                             int threads) {
+                             const Workers& workers) {
   const int width = camera.width();
   const int height = camera.height();
-  const ColorTracer tracer(room, scene, camera, threads);
+  const ColorTracer tracer(room, scene, camera, workers);
   ColorPlate plate{Image<float>(width, height), ColorImage(width, height)};
   ColorImage first(width, height);
-  for_each_row(height, threads, [&](int y) {
+  for_each_row(height, workers, [&](int y) {
     for (int x = 0; x < width; ++x) {
       const auto sample = tracer.sample(x, y, Vector2f::Zero(), dither_of(x, y, 0));
       plate.z_m.at(x, y) = sample.z_m;
       first.at(x, y) = rounded(srgb_from_linear(sample.light));
     }
   });
-  for_each_row(height, threads, [&](int y) {
+  for_each_row(height, workers, [&](int y) {
     for (int x = 0; x < width; ++x) {
       const bool rough = has_contrast(first.view(), x, y);
       plate.color.at(x, y) = rough ? smooth_pixel(tracer, x, y) : first.at(x, y);

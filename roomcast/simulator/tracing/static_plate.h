@@ -5,6 +5,7 @@
 #pragma once
 
 #include "roomcast/core/image.h"
+#include "roomcast/core/parallel_rows.h"
 #include "roomcast/simulator/scene/room.h"
 #include "roomcast/simulator/tracing/placed_camera.h"
 #include "roomcast/simulator/tracing/ray_scene.h"
@@ -31,11 +32,11 @@ struct ColorPlate {
 /// are 0.
 [[nodiscard]] DepthPlate trace_depth_plate(const Room& room, const RayScene& scene,
                                            const PlacedCamera& camera, const PlacedCamera& fine,
-                                           bool multipath, int threads);
+                                           bool multipath, const Workers& workers);
 
 /// Lit, with shadows, and antialiased at edges.
 [[nodiscard]] ColorPlate trace_color_plate(const Room& room, const RayScene& scene,
-                                           const PlacedCamera& camera, int threads);
+                                           const PlacedCamera& camera, const Workers& workers);
 
 /// The same camera with `factor` times the pixels in each direction, on the same area.
 [[nodiscard]] CameraIntrinsics resampled(CameraIntrinsics camera, double factor);
