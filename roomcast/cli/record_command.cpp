@@ -19,6 +19,7 @@
 #include "roomcast/cli/stderr_log.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/token_option.h"
+#include "roomcast/io/private_folder.h"
 #include "roomcast/recording/recorder/recorder.h"
 
 namespace roomcast::cli {
@@ -50,11 +51,14 @@ Status make_folder(const RecordOptions& options) {
       return Error{ErrorCode::kInvalidArgument,
                    "\"" + room + "\" cannot be a file's name; give the rooms other names"};
   }
-  std::error_code error;
-  std::filesystem::create_directories(options.out, error);
-  if (!error) return {};
-  return Error{ErrorCode::kUnavailable,
-               "cannot make the folder " + options.out.string() + ": " + error.message()};
+  const auto was_open = io::make_private_folder(options.out);
+  if (!was_open) return was_open.error();
+  if (*was_open) {
+    print_err(
+        "roomcast record: other users of this machine could enter {}; it is closed to them now\n",
+        options.out.string());
+  }
+  return {};
 }
 
 Result<Recorders> start_recorders(const RecordOptions& options,
