@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // roomcast info: summarises a recording. Reads every frame, so it also detects damage.
+#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -120,6 +123,10 @@ void print_text(const SensorInfo& info) {
       info.sensor.world_from_depth ? "placed" : "not placed");
 }
 
+double room_seconds(const recording::RoomRecording& room) {
+  return std::chrono::duration<double>(room.end() - room.start()).count();
+}
+
 /// Reads the whole recording again and writes thumbnails.
 Status write_thumbnails(const InfoOptions& options, const std::stop_token& stop) {
   auto reader = recording::open_frame_sets(options.recording);
@@ -140,21 +147,42 @@ Status write_thumbnails(const InfoOptions& options, const std::stop_token& stop)
   return io::write_color_png(options.thumbnails, picture);
 }
 
-/// Warns, with the reason, if the end of a file is missing.
-void warn_of_damage(const std::string& recording) {
+/// "2026-11-24T03:10:19Z"; nothing if no message was recorded.
+std::string begin_of(const recording::RoomRecording& room) {
+  if (room.start() == nanoseconds(0)) return {};
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(room.start()).count();
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(static_cast<std::time_t>(seconds)));
+}
+
+void print_room(const recording::RoomRecording& room) {
+  const std::string begin = begin_of(room);
+  print_out("room \"{}\": {:.2f} s{}\n", room.room(), room_seconds(room),
+            begin.empty() ? "" : ", recorded from " + begin);
+  if (room.sensors().empty())
+    print_out("no sensors: the recording ended before the first frame of a sensor\n");
+}
+
+/// Of a recorded room: what does not belong to a single sensor, and, with the reason, a warning if
+/// the end of the file is missing.
+void tell_of_room(const InfoOptions& options, nlohmann::json& report) {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(recording, ignored)) return;
-  const auto file = recording::RoomRecording::open(recording);
-  if (file && file->damage())
-    print_err("roomcast info: {}; everything before it was read\n", *file->damage());
+  if (!std::filesystem::is_regular_file(options.recording, ignored)) return;
+  const auto room = recording::RoomRecording::open(options.recording);
+  if (!room) return;  // reading its sensors fails with the reason
+  if (room->damage())
+    print_err("roomcast info: {}; everything before it was read\n", *room->damage());
+  if (!options.json) return print_room(*room);
+  report["room"] = room->room();
+  report["begin"] = begin_of(*room);
+  report["seconds"] = room_seconds(*room);
 }
 
 Status run_info(const InfoOptions& options) {
   StopOnSignal stop;
-  warn_of_damage(options.recording);
+  nlohmann::json report = {{"recording", options.recording}, {"sensors", nlohmann::json::array()}};
+  tell_of_room(options, report);
   const auto specs = specs_of(options.recording);
   if (!specs) return specs.error();
-  nlohmann::json report = {{"recording", options.recording}, {"sensors", nlohmann::json::array()}};
   for (const auto& spec : *specs) {
     if (stop.token().stop_requested()) return read_in_part();
     const auto info = read_sensor(spec, stop.token());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recording and playing rooms with real programs. The MCAP format's own library reads the files.
 import assert from 'node:assert/strict';
-import { copyFileSync, readFileSync, statSync, truncateSync, writeFileSync } from 'node:fs';
+import { chmodSync, copyFileSync, mkdirSync, readFileSync, statSync, truncateSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 
@@ -188,6 +188,60 @@ test('a_recording_plays_on_a_hub_of_its_own', async (t) => {
   const [, port] = await player.prints(/127\.0\.0\.1:(\d+)/);
   await assertServes(t, { url: `ws://127.0.0.1:${port}` });
   assert.equal(await player.stop('SIGINT'), 0);
+});
+
+/** The recording up to its first chunk: what is on disk until a list of sensors has come. */
+function beginOfRecording() {
+  const bytes = readFileSync(recording);
+  const magicBytes = 8, recordHeaderBytes = 9, chunk = 0x06;
+  let at = magicBytes;
+  while (bytes[at] !== chunk) at += recordHeaderBytes + Number(bytes.readBigUInt64LE(at + 1));
+  return bytes.subarray(0, at);
+}
+
+test('a_recording_that_ended_before_its_first_list_of_sensors_is_described_as_empty', async (t) => {
+  const folder = scratchFolder(t);
+  const file = join(folder, 'brief.mcap');
+  writeFileSync(file, beginOfRecording());
+  const { code, stdout, stderr } = await run('info', file);
+  assert.equal(code, 0, stderr);
+  assert.match(stdout, /^room "room": 0\.00 s\nno sensors: .* before the first frame/);
+  const report = JSON.parse((await run('info', file, '--json')).stdout);
+  assert.deepEqual(report, { recording: file, room: 'room', begin: '', seconds: 0, sensors: [] });
+  const others = [['play', file], ['export', file, '--out', join(folder, 'out')], ['info', file, '--thumbnails', join(folder, 'a.png')]];
+  for (const args of others) {
+    const { code, stderr } = await run(...args);
+    assert.equal(code, 1, `${args[0]}: ${stderr}`);
+    assert.match(stderr.trimEnd().split('\n').at(-1), /no frame|no sensor/);
+  }
+});
+
+test('info_tells_when_and_how_long_a_room_was_recorded', async () => {
+  const { room, begin, seconds } = JSON.parse((await run('info', recording, '--json')).stdout);
+  assert.equal(room, 'room');
+  assert.ok(Math.abs(Date.parse(begin) - statSync(recording).mtimeMs) < 60_000, begin);
+  assert.ok(seconds > 2 && seconds < 4, `${seconds}`);
+  assert.match((await run('info', recording)).stdout, /^room "room": \d\.\d\d s, recorded from \d{4}-\d\d-\d\dT/);
+});
+
+test('a_folder_for_recordings_is_closed_to_other_users', async (t) => {
+  const folder = scratchFolder(t);
+  const config = join(folder, 'roomcast.toml');
+  writeFileSync(config, '[[room]]\nname = "a"\n[[room]]\nname = "b"\n');
+  const hub = await startHub(t, '--config', config);
+  const record = (out) => run('record', out, '--hub', hub.url, '--room', 'a', '--room', 'b', '--seconds', '0.5');
+  const modeOf = (path) => statSync(path).mode & 0o777;
+  const [open, made] = [join(folder, 'open'), join(folder, 'made')];
+  mkdirSync(open);
+  chmodSync(open, 0o755);
+  const first = await record(open);
+  assert.equal(first.code, 0, first.stderr);
+  assert.match(first.stderr, /other users .* could enter .*open; it is closed to them now/);
+  const second = await record(made);
+  assert.equal(second.code, 0, second.stderr);
+  assert.doesNotMatch(second.stderr, /other users/);
+  assert.deepEqual([open, made].map(modeOf), [0o700, 0o700]);
+  assert.equal(modeOf(join(made, 'a.mcap')), 0o600);
 });
 
 test('other_files_are_refused_with_a_reason', async (t) => {

@@ -115,7 +115,16 @@ Status RoomRecording::read_rosters() {
     }
   }
   if (!rosters_.empty()) return {};
-  return Error{ErrorCode::kMalformed, "the recording has no list of sensors"};
+  if (has_frames())
+    return Error{ErrorCode::kMalformed, "the recording has frames but no list of sensors"};
+  rosters_.push_back({start(), {}});  // it ended before the hub had sent its first list
+  return {};
+}
+
+bool RoomRecording::has_frames() const {
+  return std::ranges::any_of(file_.summary().channels, [this](const auto& channel) {
+    return kind_of(channel.first) == MessageKind::kFrame;
+  });
 }
 
 void RoomRecording::find_sensors() {

@@ -58,7 +58,8 @@ class RoomRecording {
   [[nodiscard]] const RecordedSensor* sensor(const std::string& name) const;
   /// In order of time. A sensor that was placed later has its pose here from the beginning.
   [[nodiscard]] const std::vector<RecordedRoster>& rosters() const { return rosters_; }
-  /// The roster in effect at `time`; before the first one, the first. There is at least one.
+  /// The roster in effect at `time`; before the first one, the first. There is at least one; that
+  /// of a recording that ended before the hub's first list has no sensors.
   [[nodiscard]] const wire::pb::Roster& roster_at(nanoseconds time) const;
   /// False if the recorder was not permitted to export the room.
   [[nodiscard]] bool may_be_exported() const { return may_be_exported_; }
@@ -79,6 +80,7 @@ class RoomRecording {
   Status read_rosters();
   [[nodiscard]] Status check_times() const;
   void find_origin();
+  [[nodiscard]] bool has_frames() const;
   void find_sensors();
   void place_from_the_beginning();
 

@@ -136,6 +136,22 @@ TEST_F(RoomRecordingTest, other_files_are_refused_with_a_reason) {
   EXPECT_NE(recording.error().message.find("not made by roomcast"), std::string::npos);
 }
 
+TEST_F(RoomRecordingTest, that_ended_before_the_first_roster_is_empty) {
+  {
+    auto writer = RoomRecordingWriter::create(path, "lab");
+    ASSERT_TRUE(writer->finish().ok());
+  }
+  const auto recording = open();
+  ASSERT_TRUE(recording.ok()) << recording.error().message;
+  EXPECT_EQ(recording->room(), "lab");
+  EXPECT_TRUE(recording->sensors().empty());
+  EXPECT_EQ(recording->end(), recording->start());
+  EXPECT_TRUE(recording->roster_at(recording->start()).sensors().empty());
+  RecordingCursor cursor(*recording);
+  RecordedMessage message;
+  EXPECT_FALSE(*cursor.next(message));
+}
+
 TEST_F(RoomRecordingTest, frames_of_sensors_that_no_roster_has_are_left_out) {
   auto writer = RoomRecordingWriter::create(path, "lab");
   ASSERT_TRUE(writer->add_frame(room.frame(0, 0), RecordingFixtureRoom::came(0)).ok());
