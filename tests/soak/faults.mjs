@@ -7,6 +7,7 @@ import { setTimeout as delay } from 'node:timers/promises';
 
 import { ask, recordingReaches } from '../network/admin.mjs';
 import { run } from '../cli/program.mjs';
+import { noWallClocks } from '../network/wall_clock.mjs';
 
 const longestSuspension_ms = 6_000;
 const badNetworkFor_ms = 5_000;
@@ -16,6 +17,8 @@ const fullDiskBytes = 400_000;
 const fullDiskWithin_ms = 60_000;
 const recordedFor_ms = 3_000;
 const stateWithin_ms = 10_000;
+const jumps_s = [3_600, -3_600, 0]; // of the clocks of hub and sensor
+const betweenJumps_ms = 2_000;
 
 /**
  * [{name, run(soak), early}]; `early` faults happen in the first half only, so that memory can be compared over the
@@ -37,6 +40,7 @@ export const faults = [
   { name: 'network damages', run: damage },
   { name: 'network cut', run: ({ network }) => network.cut() },
   { name: 'hub records', run: recordByHub },
+  { name: 'clocks set', run: setClocks, isPossible: () => noWallClocks === false },
   { name: 'disk full', run: fillDisk, isPossible: canMount },
 ];
 
@@ -79,6 +83,22 @@ async function recordByHub({ port, admin, recordings, witness, onFinding }) {
   await ask(port, admin, 'DELETE', '/rooms/room/recording');
   const ended = await reaches('off');
   if (ended) await recordings.check(ended.file, { wasKilled: false, lastFrameAt_ms });
+}
+
+/**
+ * The clocks of hub and first sensor are set forwards, backwards, and right again. The viewer who watches all this is not
+ * disconnected, frames go on, and tokens that were made meanwhile are in the hub's list.
+ */
+async function setClocks({ clocks, witness, pledges, onFinding }) {
+  const { disconnections } = witness;
+  for (const jump_s of jumps_s) {
+    await pledges.outlive(async () => {
+      clocks.forEach((clock) => clock.set(jump_s));
+      await delay(betweenJumps_ms);
+    });
+    if (Date.now() - witness.lastFrameAt_ms > betweenJumps_ms) onFinding(`no frame after clocks were set ${jump_s} s ahead`);
+  }
+  if (witness.disconnections > disconnections) onFinding('the witness was disconnected when clocks were set');
 }
 
 function canMount() {

@@ -21,10 +21,10 @@ export class KeptProgram {
 
   /**
    * `args()` gives the arguments of the next start. `onFinding(sentence)` is called for an unasked end, unless
-   * `expects(result)` is true for its exit code or signal.
+   * `expects(result)` is true for its exit code or signal. `environment` adds environment variables.
    */
-  constructor(name, args, { onFinding, expects = () => false }) {
-    Object.assign(this, { name, args, onFinding, expects });
+  constructor(name, args, { onFinding, expects = () => false, environment = {} }) {
+    Object.assign(this, { name, args, onFinding, expects, environment });
     this.#start();
   }
 
@@ -32,7 +32,7 @@ export class KeptProgram {
     this.stdout = '';
     this.lastWords = [];
     this.#wanted = null;
-    const child = spawn(binary, this.args(), { env, stdio: ['ignore', 'pipe', 'pipe'] });
+    const child = spawn(binary, this.args(), { env: { ...env, ...this.environment }, stdio: ['ignore', 'pipe', 'pipe'] });
     this.child = child;
     running.add(child);
     child.stdout.setEncoding('utf8').on('data', (text) => (this.stdout += text));

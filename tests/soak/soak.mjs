@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A hub, two simulated sensors, viewers and recorders run for hours, while faults come one after the other: kills,
-// suspensions, a bad network, logs that nobody reads, a full disk. Prints a summary; exits with 1 if a check failed.
+// suspensions, a bad network, logs that nobody reads, clocks that are set, a full disk. Prints a summary; exits with 1 if
+// a check failed.
 //   node tests/soak/soak.mjs --hours 1 --seed 7
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -10,6 +11,7 @@ import { parseArgs } from 'node:util';
 
 import { makeToken } from '../network/admin.mjs';
 import { freePort } from '../network/nginx.mjs';
+import { WallClock, noWallClocks } from '../network/wall_clock.mjs';
 import { BadNetwork } from './bad_network.mjs';
 import { faults } from './faults.mjs';
 import { Usage, median, table } from './figures.mjs';
@@ -75,21 +77,23 @@ async function startRoom(folder) {
   const port = await freePort();
   const url = `ws://127.0.0.1:${port}`;
   const hubArgs = ['hub', '--listen', `127.0.0.1:${port}`, '--data', data, '--verbose'];
-  const hub = new KeptProgram('hub', () => hubArgs, { onFinding });
+  const clocks = noWallClocks ? [] : [new WallClock(folder), new WallClock(folder)];
+  const [ofHub, ofSensor] = clocks.map(({ environment }) => environment);
+  const hub = new KeptProgram('hub', () => hubArgs, { onFinding, environment: ofHub });
   const network = await BadNetwork.start(port, random);
   const sensor = (n, at) => [
     ...['sensor', '--source', `sim#${n}`, '--sensors', '2', '--fps', String(fps), '--name', sensorNames[n], '--hub', at],
     ...['--wait', '--verbose'],
   ];
   const sensors = [
-    new KeptProgram('sensor a', () => sensor(0, url), { onFinding }),
+    new KeptProgram('sensor a', () => sensor(0, url), { onFinding, environment: ofSensor }),
     new KeptProgram('sensor b', () => sensor(1, `ws://127.0.0.1:${network.port}`), { onFinding }),
   ];
   let recordingNumber = 0;
   const recorderFile = () => join(folder, `room${recordingNumber}.mcap`);
   const witness = new Witness(url);
   const soak = {
-    ...{ folder, port, url, admin, hub, sensors, network, witness, random, recorderFile, onFinding },
+    ...{ folder, port, url, admin, hub, sensors, clocks, network, witness, random, recorderFile, onFinding },
     recordings: new Recordings(onFinding, mostLoss_s),
     pledges: new Pledges(port, admin, { random, onFinding }),
   };
