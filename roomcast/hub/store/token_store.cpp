@@ -90,9 +90,8 @@ Status TokenStore::revoke(std::string_view id, UnixSeconds now) {
 
 Status TokenStore::revoke_all(std::string_view room, UnixSeconds now) {
   for (const char* table : {"tokens", "codes"}) {
-    const std::string sql =
-        std::string("UPDATE ") + table +
-        " SET revoked_at = coalesce(revoked_at, ?2) WHERE room = ?1 AND expires_at > ?2";
+    const std::string sql = std::string("UPDATE ") + table +
+                            " SET revoked_at = coalesce(revoked_at, ?2) WHERE room = ?1";
     Statement rows(database_, sql.c_str());
     if (!rows.bind(1, room).bind(2, now).run()) {
       return database_.failure("cannot revoke the tokens of a room");
@@ -163,7 +162,8 @@ Refusal TokenStore::why_not_redeemed(const CodeDigest& digest) const {
 
 Status TokenStore::remove_expired(UnixSeconds now) {
   const UnixSeconds before = now - kRemembered_s;
-  if (Statement(database_, "DELETE FROM tokens WHERE expires_at < ?1").bind(1, before).run() &&
+  const char* forget = "DELETE FROM tokens WHERE expires_at < ?1 AND revoked_at IS NULL";
+  if (Statement(database_, forget).bind(1, before).run() &&
       Statement(database_, "DELETE FROM codes WHERE expires_at < ?1").bind(1, before).run()) {
     return {};
   }

@@ -43,7 +43,7 @@ class TokenStore {
   [[nodiscard]] Result<bool> is_revoked(std::string_view id) const;
   /// Revokes a token or an unused code; idempotent. kNotFound: this hub issued none with this ID.
   [[nodiscard]] Status revoke(std::string_view id, UnixSeconds now);
-  /// Revokes all tokens and unused codes for this room.
+  /// Revokes all tokens and codes for this room, also expired ones: this clock may be ahead.
   [[nodiscard]] Status revoke_all(std::string_view room, UnixSeconds now);
   /// Stores a token as revoked that another hub may have issued; idempotent.
   [[nodiscard]] Status add_revoked(const Claims& claims, UnixSeconds now);
@@ -57,7 +57,8 @@ class TokenStore {
   /// ERROR_UNSPECIFIED: the database does not respond.
   [[nodiscard]] Verdict<CodeGrant> redeem(const CodeDigest& digest, UnixSeconds now);
 
-  /// Deletes tokens and codes that expired more than 30 days ago.
+  /// Deletes tokens and codes that expired more than 30 days ago, except revoked tokens: when a
+  /// clock that was ahead is set right, they would be valid again.
   [[nodiscard]] Status remove_expired(UnixSeconds now);
 
  private:

@@ -140,5 +140,15 @@ TEST_F(TokenStoreTest, removes_tokens_that_expired_long_ago) {
   EXPECT_TRUE(tokens.list(kAllRooms)->empty());
 }
 
+TEST_F(TokenStoreTest, a_clock_that_was_far_ahead_makes_no_revoked_token_valid) {
+  const UnixSeconds far_ahead = kStoredNow + 40LL * 365 * 24 * 3600;
+  for (const char* id : {"a", "b"}) ASSERT_TRUE(tokens.add(stored_claims(id, id)).ok());
+  ASSERT_TRUE(tokens.revoke("a", kStoredNow).ok());
+  ASSERT_TRUE(tokens.revoke_all("b", far_ahead).ok());
+  ASSERT_TRUE(tokens.remove_expired(far_ahead).ok());
+  EXPECT_TRUE(*tokens.is_revoked("a"));
+  EXPECT_TRUE(*tokens.is_revoked("b"));
+}
+
 }  // namespace
 }  // namespace roomcast::hub
