@@ -51,7 +51,7 @@ Status make_folder(const RecordOptions& options) {
       return Error{ErrorCode::kInvalidArgument,
                    "\"" + room + "\" cannot be a file's name; give the rooms other names"};
   }
-  const auto was_open = io::make_private_folder(options.out);
+  const auto was_open = io::make_private_folder(options.out, {".mcap"});
   if (!was_open) return was_open.error();
   if (*was_open) {
     print_err(

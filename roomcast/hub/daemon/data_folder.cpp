@@ -31,7 +31,8 @@ std::optional<fs::path> data_folder(const std::string& named) {
 Result<std::optional<fs::path>> make_data_folder(const std::string& named, const LogSink& log) {
   const auto folder = data_folder(named);
   if (!folder) return folder;
-  const auto was_open = io::make_private_folder(*folder);
+  const auto was_open =
+      io::make_private_folder(*folder, {"hub.sqlite", "hub.secret", "recordings"});
   if (!was_open) {
     return Error{ErrorCode::kUnavailable, was_open.error().message + "; name another with --data"};
   }

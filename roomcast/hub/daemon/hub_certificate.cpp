@@ -29,7 +29,7 @@ Result<std::optional<net::Certificate>> find_self_signed(const fs::path& folder,
   std::error_code error;
   const bool is_there = fs::exists(file, error);
   if (!is_there && options.only_look) return std::optional<net::Certificate>();
-  if (!is_there) (void)io::make_private_folder(folder);  // if that fails, saving says why
+  if (!is_there) (void)io::make_private_folder(folder, {});  // if that fails, saving says why
   auto certificate = is_there
                          ? net::Certificate::load(file, file)
                          : net::Certificate::make_self_signed(own_hosts(options.listen_address));

@@ -103,7 +103,7 @@ Result<std::unique_ptr<recording::Recorder>> HubRecorders::open_recorder(
 
 void HubRecorders::open(const std::string& room) {
   std::error_code error;
-  if (!std::filesystem::exists(folder_, error)) (void)io::make_private_folder(folder_);
+  if (!std::filesystem::exists(folder_, error)) (void)io::make_private_folder(folder_, {});
   const auto file = io::next_free_path(folder_, io::file_stem(room), ".mcap");
   auto recorder = file ? open_recorder(room, *file)
                        : Result<std::unique_ptr<recording::Recorder>>(file.error());
