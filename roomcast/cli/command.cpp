@@ -7,7 +7,7 @@ namespace roomcast::cli {
 
 int finish(std::string_view name, const Status& status) {
   if (status) return kDone;
-  print_err("roomcast {}: {}\n", name, status.error().message);
+  print_err("roomcast {}: {}\n", name, one_line(status.error().message));
   return status.error().code == ErrorCode::kInvalidArgument ? kWrongUsage : kFailed;
 }
 

@@ -72,6 +72,18 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
+std::string one_line(std::string_view text) {
+  std::string line;
+  for (const char character : printable(text)) {
+    if (character == '\n' || character == '\t') {
+      line += fmt::format("\\u{:04X}", static_cast<int>(character));
+    } else {
+      line += character;
+    }
+  }
+  return line;
+}
+
 bool write_raw(std::FILE* stream, std::string_view text) noexcept {
   return std::fwrite(text.data(), 1, text.size(), stream) == text.size();
 }

@@ -22,6 +22,10 @@ void keep_standard_streams();
 /// UTF-8.
 [[nodiscard]] std::string printable(std::string_view text);
 
+/// Likewise, and \u000A and \u0009 instead of newline and tab: a file's name that contains a
+/// newline does not make two sentences of one.
+[[nodiscard]] std::string one_line(std::string_view text);
+
 /// As it is, in one piece. False: it could not be written, not even into a buffer.
 bool write_raw(std::FILE* stream, std::string_view text) noexcept;
 

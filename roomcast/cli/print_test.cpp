@@ -29,6 +29,11 @@ TEST(Print, what_turns_or_hides_text_is_spelled_out) {
   EXPECT_EQ(printable("lab\u200B\uFEFF"), "lab\\u200B\\uFEFF");
 }
 
+TEST(Print, a_line_stays_one_line) {
+  EXPECT_EQ(one_line("a\nb\tc"), "a\\u000Ab\\u0009c");
+  EXPECT_EQ(one_line("\x1b[31mred"), "\\u001B[31mred");
+}
+
 TEST(Print, bytes_that_are_not_utf8_are_spelled_out) {
   EXPECT_EQ(printable("\x9B"
                       "31m"),

@@ -54,7 +54,8 @@ int run_command(int argc, char** argv, std::span<const AddCommand> commands) {
   Command chosen;
   for (const AddCommand add : commands) add(app, chosen);
   if (const auto word = unknown_command(app, argc, argv); !word.empty()) {
-    print_err("roomcast: there is no command \"{}\" (roomcast --help lists them)\n", word);
+    print_err("roomcast: there is no command \"{}\" (roomcast --help lists them)\n",
+              one_line(word));
     return kWrongUsage;
   }
   try {
@@ -62,7 +63,7 @@ int run_command(int argc, char** argv, std::span<const AddCommand> commands) {
   } catch (const CLI::Success& help_or_version) {
     return app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
-    print_err("roomcast: {} (roomcast --help shows how)\n", error.what());
+    print_err("roomcast: {} (roomcast --help shows how)\n", one_line(error.what()));
     return kWrongUsage;
   }
   return chosen();

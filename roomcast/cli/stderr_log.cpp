@@ -28,7 +28,7 @@ LogSink stderr_log(std::string_view name, bool verbose) {
   return counting_log(
       [name = std::string(name), verbose](LogLevel level, std::string_view message, LogFields) {
         if (!verbose && level == LogLevel::kInfo) return std::string();
-        return fmt::format("roomcast {}: {}\n", name, message);
+        return fmt::format("roomcast {}: {}\n", name, one_line(message));
       },
       [](std::string_view text) { return write_raw(stderr, printable(text)); });
 }
