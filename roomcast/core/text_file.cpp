@@ -3,8 +3,9 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <memory>
 #include <system_error>
+
+#include "roomcast/core/open_at_once.h"
 
 namespace roomcast {
 
@@ -13,8 +14,7 @@ Result<std::string> read_text_file(const std::filesystem::path& path, std::size_
     return Error{ErrorCode::kNotFound,
                  "cannot read " + path.string() + ": " + std::generic_category().message(reason)};
   };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"),
-                                                             &std::fclose);
+  const OwnedFile file = open_file_at_once(path, "r");
   if (file == nullptr) return cannot_read(errno);
   std::string text(limit_bytes + 1, '\0');
   text.resize(std::fread(text.data(), 1, text.size(), file.get()));

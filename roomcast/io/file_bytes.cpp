@@ -4,17 +4,13 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 #include <string>
 #include <system_error>
 
+#include "roomcast/core/open_at_once.h"
+
 namespace roomcast::io {
 namespace {
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
 
 Error cannot(const char* what, const std::filesystem::path& path, int error_number) {
   return {ErrorCode::kUnavailable, std::string("cannot ") + what + " " + path.string() + ": " +
@@ -23,7 +19,7 @@ Error cannot(const char* what, const std::filesystem::path& path, int error_numb
 
 Status write_and_close(const std::filesystem::path& path, const char* mode, const void* bytes,
                        std::size_t size) {
-  File file(std::fopen(path.c_str(), mode));
+  OwnedFile file = open_file_at_once(path, mode);
   if (!file) return cannot("write", path, errno);
   if (std::fwrite(bytes, 1, size, file.get()) != size) return cannot("write", path, errno);
   if (std::fclose(file.release()) != 0) return cannot("write", path, errno);
@@ -36,7 +32,8 @@ Status read_file(const std::filesystem::path& path, std::size_t limit_bytes,
                  std::vector<std::uint8_t>& bytes) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
-    return Error{ErrorCode::kNotFound, path.string() + " is missing"};
+    const bool is_other = std::filesystem::exists(path, error);
+    return Error{ErrorCode::kNotFound, path.string() + (is_other ? " is no file" : " is missing")};
   }
   const auto size = std::filesystem::file_size(path, error);
   if (error) return Error{ErrorCode::kMalformed, "cannot read " + path.string()};
@@ -45,7 +42,7 @@ Status read_file(const std::filesystem::path& path, std::size_t limit_bytes,
                                            " bytes; at most " + std::to_string(limit_bytes) +
                                            " are allowed"};
   }
-  File file(std::fopen(path.c_str(), "rb"));
+  const OwnedFile file = open_file_at_once(path, "r");
   bytes.resize(static_cast<std::size_t>(size));
   if (!file || std::fread(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) {
     return Error{ErrorCode::kMalformed, "cannot read " + path.string()};
@@ -54,16 +51,20 @@ Status read_file(const std::filesystem::path& path, std::size_t limit_bytes,
 }
 
 Status write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+  std::error_code error;
+  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+    return write_and_close(path, "w", bytes.data(), bytes.size());
   std::filesystem::path unfinished = path;
   unfinished += ".part";
-  std::error_code error;
-  if (Status status = write_and_close(unfinished, "wb", bytes.data(), bytes.size()); !status.ok()) {
+  if (Status status = write_and_close(unfinished, "w", bytes.data(), bytes.size()); !status.ok()) {
     std::filesystem::remove(unfinished, error);
     return status;
   }
   std::filesystem::rename(unfinished, path, error);
-  if (error) return cannot("write", path, error.value());
-  return {};
+  if (!error) return {};
+  const int reason = error.value();
+  std::filesystem::remove(unfinished, error);
+  return cannot("write", path, reason);
 }
 
 Status write_file(const std::filesystem::path& path, std::string_view text) {
@@ -73,7 +74,7 @@ Status write_file(const std::filesystem::path& path, std::string_view text) {
 
 Status append_line(const std::filesystem::path& path, std::string_view line) {
   const std::string with_end = std::string(line) + "\n";
-  return write_and_close(path, "ab", with_end.data(), with_end.size());
+  return write_and_close(path, "a", with_end.data(), with_end.size());
 }
 
 }  // namespace roomcast::io

@@ -19,8 +19,8 @@ namespace roomcast::io {
 [[nodiscard]] Status read_file(const std::filesystem::path& path, std::size_t limit_bytes,
                                std::vector<std::uint8_t>& bytes);
 
-/// Writes a file next to `path` and renames it. kUnavailable if the disk or the permissions prevent
-/// it.
+/// Writes a file next to `path` and renames it, but to a device or pipe in place, instead of
+/// replacing it. kUnavailable if the disk or the permissions prevent it.
 [[nodiscard]] Status write_file(const std::filesystem::path& path,
                                 std::span<const std::uint8_t> bytes);
 [[nodiscard]] Status write_file(const std::filesystem::path& path, std::string_view text);

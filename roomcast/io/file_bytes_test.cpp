@@ -62,6 +62,24 @@ TEST(FileBytes, a_file_that_does_not_fit_leaves_nothing_behind) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(FileBytes, a_device_is_written_to_and_not_replaced) {
+  const TemporaryFolder folder;
+  const auto link = folder / "null";
+  std::filesystem::create_symlink("/dev/null", link);
+  EXPECT_TRUE(write_file(link, "text").ok());
+  EXPECT_TRUE(std::filesystem::is_character_file(link));
+  std::filesystem::remove(link);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(FileBytes, a_folder_is_not_replaced) {
+  const TemporaryFolder folder;
+  const Status status = write_file(folder.path(), "text");
+  ASSERT_FALSE(status.ok());
+  EXPECT_NE(status.error().message.find("directory"), std::string::npos) << status.error().message;
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
 TEST(FileBytes, writing_into_a_missing_folder_says_so) {
   const TemporaryFolder folder;
   const Status status = write_file(folder / "none/a", "text");

@@ -31,12 +31,12 @@ Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
     return Error{ErrorCode::kTooLarge, "The page's files are larger than " +
                                            std::to_string(StaticSite::kMaxBytes >> 20) + " MiB."};
   }
-  std::ifstream file(path, std::ios::binary);
-  std::string content(error ? 0 : static_cast<std::size_t>(size), '\0');
-  if (error || !file.read(content.data(), static_cast<std::streamsize>(content.size()))) {
-    return Error{ErrorCode::kNotFound, "The page's file " + path.string() + " cannot be read."};
+  if (!error) {  // a regular file: others have no size
+    std::ifstream file(path, std::ios::binary);
+    std::string content(static_cast<std::size_t>(size), '\0');
+    if (file.read(content.data(), static_cast<std::streamsize>(content.size()))) return content;
   }
-  return content;
+  return Error{ErrorCode::kNotFound, "The page's file " + path.string() + " cannot be read."};
 }
 
 std::string etag_of(const std::string& content) {

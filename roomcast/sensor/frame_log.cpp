@@ -26,12 +26,12 @@ std::uint32_t depth_crc32(DepthView depth_mm) {
 }
 
 Result<FrameLog> FrameLog::open(const std::filesystem::path& path) {
-  std::FILE* file = std::fopen(path.c_str(), "w");
+  OwnedFile file = open_file_at_once(path, "w");
   if (file == nullptr) {
     return Error{ErrorCode::kUnavailable,
                  "cannot write " + path.string() + ": " + std::strerror(errno)};
   }
-  return FrameLog(file);
+  return FrameLog(std::move(file));
 }
 
 Status FrameLog::add(std::uint32_t seq, RoomTime capture_time, DepthView depth_mm) {

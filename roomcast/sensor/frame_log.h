@@ -5,12 +5,12 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
+#include <utility>
 
 #include "roomcast/core/clock.h"
 #include "roomcast/core/image.h"
+#include "roomcast/core/open_at_once.h"
 #include "roomcast/core/result.h"
 
 namespace roomcast::sensor {
@@ -25,11 +25,8 @@ class FrameLog {
   [[nodiscard]] Status add(std::uint32_t seq, RoomTime capture_time, DepthView depth_mm);
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  explicit FrameLog(std::FILE* file) : file_(file) {}
-  std::unique_ptr<std::FILE, Close> file_;
+  explicit FrameLog(OwnedFile file) : file_(std::move(file)) {}
+  OwnedFile file_;
 };
 
 }  // namespace roomcast::sensor

@@ -22,7 +22,8 @@ constexpr mode_t kOwnerOnly = 0600;
 class File {
  public:
   File(const std::filesystem::path& path, int flags)
-      : descriptor_(::open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, kOwnerOnly)) {}
+      : descriptor_(::open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, kOwnerOnly)) {
+  }
   ~File() {
     if (descriptor_ >= 0) ::close(descriptor_);
   }

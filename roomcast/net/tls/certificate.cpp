@@ -18,39 +18,18 @@
 #include <unistd.h>
 
 #include "roomcast/core/assert.h"
+#include "roomcast/net/tls/pem_file.h"
 
 namespace roomcast::net {
 
 namespace {
 
-using Bio = std::unique_ptr<BIO, decltype(&BIO_free)>;
 using SharedX509 = std::shared_ptr<X509>;
 using SharedKey = std::shared_ptr<EVP_PKEY>;
 
 constexpr long kValidSeconds = 10L * 365 * 24 * 3600;
 constexpr long kClockMaySlowSeconds = 24L * 3600;  // a client's clock may be a day behind
 constexpr int kSerialBytes = 16;
-
-Result<Bio> open_pem(const std::filesystem::path& file) {
-  Bio bio(BIO_new_file(file.c_str(), "r"), &BIO_free);
-  if (bio != nullptr) return bio;
-  ERR_clear_error();
-  return Error{ErrorCode::kNotFound, "cannot read '" + file.string() + "'"};
-}
-
-/// Replaces OpenSSL's callback, which would prompt on the terminal.
-int no_passphrase(char*, int, int, void*) {
-  return -1;
-}
-
-std::vector<SharedX509> read_chain(BIO* bio) {
-  std::vector<SharedX509> chain;
-  while (X509* next = PEM_read_bio_X509(bio, nullptr, &no_passphrase, nullptr)) {
-    chain.emplace_back(next, &X509_free);
-  }
-  ERR_clear_error();  // OpenSSL reports the end of the file as an error
-  return chain;
-}
 
 /// "DNS:hub.local,IP:192.168.1.5"
 std::string alternative_names(const std::vector<std::string>& hosts) {
@@ -98,29 +77,17 @@ bool fill_in(X509* certificate, EVP_PKEY* key, const std::vector<std::string>& h
 
 Result<Certificate> Certificate::load(const std::filesystem::path& certificate,
                                       const std::filesystem::path& key) {
-  const auto certificate_pem = open_pem(certificate);
-  if (!certificate_pem) return certificate_pem.error();
-  const auto key_pem = open_pem(key);
-  if (!key_pem) return key_pem.error();
-  auto chain = read_chain(certificate_pem->get());
-  if (chain.empty()) {
-    return Error{ErrorCode::kMalformed,
-                 "'" + certificate.string() + "' has no certificate in PEM form"};
-  }
-  SharedKey private_key(PEM_read_bio_PrivateKey(key_pem->get(), nullptr, &no_passphrase, nullptr),
-                        &EVP_PKEY_free);
-  ERR_clear_error();
-  if (private_key == nullptr) {
-    return Error{ErrorCode::kMalformed,
-                 "'" + key.string() + "' has no private key in PEM form without a passphrase"};
-  }
-  if (X509_check_private_key(chain.front().get(), private_key.get()) != 1) {
+  auto chain = read_certificates(certificate);
+  if (!chain) return chain.error();
+  auto private_key = read_private_key(key);
+  if (!private_key) return private_key.error();
+  if (X509_check_private_key(chain->front().get(), private_key->get()) != 1) {
     ERR_clear_error();
     return Error{ErrorCode::kMalformed, "the key in '" + key.string() +
                                             "' does not belong to the certificate in '" +
                                             certificate.string() + "'"};
   }
-  return Certificate(std::move(chain), std::move(private_key));
+  return Certificate(*std::move(chain), *std::move(private_key));
 }
 
 Result<Certificate> Certificate::make_self_signed(const std::vector<std::string>& hosts) {
@@ -139,7 +106,7 @@ Status Certificate::save(const std::filesystem::path& file) const {
   const Error cannot{ErrorCode::kUnavailable, "cannot write '" + file.string() + "'"};
   const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
   if (fd < 0) return cannot;
-  const Bio bio(BIO_new_fd(fd, BIO_CLOSE), &BIO_free);
+  const std::unique_ptr<BIO, decltype(&BIO_free)> bio(BIO_new_fd(fd, BIO_CLOSE), &BIO_free);
   bool written = ::fchmod(fd, 0600) == 0;
   written = written &&
             PEM_write_bio_PrivateKey(bio.get(), key(), nullptr, nullptr, 0, nullptr, nullptr) == 1;

@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 #include <openssl/x509v3.h>
+#include <sys/stat.h>
 
 #include "roomcast/core/temporary_folder.h"
+#include "roomcast/net/tls/tls_context.h"
 #include "roomcast/net/tls/tls_fixture.h"
 
 namespace roomcast::net {
@@ -72,6 +74,16 @@ TEST_F(CertificateTest, names_the_fault_of_each_file) {
   expect_error(Certificate::load(text, one), ErrorCode::kMalformed, "no certificate");
   expect_error(Certificate::load(one, text), ErrorCode::kMalformed, "no private key");
   expect_error(Certificate::load(one, other), ErrorCode::kMalformed, "does not belong to");
+}
+
+TEST_F(CertificateTest, that_is_no_file_is_refused_at_once) {
+  ASSERT_EQ(::mkfifo((directory_ / "pipe").c_str(), 0600), 0);
+  EXPECT_EQ(Certificate::load(directory_ / "pipe", directory_ / "pipe").error().code,
+            ErrorCode::kMalformed);
+  EXPECT_EQ(Certificate::load("/dev/zero", "/dev/zero").error().code, ErrorCode::kTooLarge);
+  TlsClientFiles files;
+  files.authorities_file = "/dev/zero";
+  EXPECT_FALSE(TlsClientContext::create(files).ok());
 }
 
 TEST_F(CertificateTest, that_cannot_be_written_is_an_error) {

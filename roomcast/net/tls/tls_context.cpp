@@ -5,6 +5,9 @@
 
 #include <openssl/err.h>
 #include <openssl/ssl.h>
+#include <openssl/x509_vfy.h>
+
+#include "roomcast/net/tls/pem_file.h"
 
 namespace roomcast::net {
 
@@ -33,10 +36,16 @@ std::string take_reason() {
 /// Trusts only the authorities in `file`; empty: those of the system.
 Status trust_authorities(SSL_CTX* context, const std::string& file) {
   if (file.empty()) return {};
+  const auto issuers = read_certificates(file);
+  if (!issuers) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "no issuers' certificates are to be had: " + issuers.error().message};
+  }
   SSL_CTX_set_cert_store(context, X509_STORE_new());
-  if (SSL_CTX_load_verify_file(context, file.c_str()) == 1) return {};
+  for (const auto& issuer : *issuers)
+    X509_STORE_add_cert(SSL_CTX_get_cert_store(context), issuer.get());
   ERR_clear_error();
-  return Error{ErrorCode::kInvalidArgument, file + " has no certificates of issuers in PEM form"};
+  return {};
 }
 
 /// Sets the certificate with its key and its signers' certificates.

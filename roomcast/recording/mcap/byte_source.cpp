@@ -11,6 +11,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "roomcast/core/open_at_once.h"
+
 namespace roomcast::recording::mcap {
 namespace {
 
@@ -60,7 +62,7 @@ class MemorySource final : public ByteSource {
 }  // namespace
 
 Result<std::unique_ptr<ByteSource>> open_file(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int descriptor = open_at_once(path, O_RDONLY);
   if (descriptor < 0) {
     return Error{ErrorCode::kNotFound,
                  "cannot open " + path.string() + ": " + std::strerror(errno)};

@@ -2,8 +2,9 @@
 #include "roomcast/hub/federation/nats/nats_options.h"
 
 #include <algorithm>
-#include <fstream>
 #include <utility>
+
+#include <unistd.h>
 
 #include "roomcast/net/hub_url.h"
 
@@ -11,7 +12,7 @@ namespace roomcast::hub::federation {
 namespace {
 
 Status check_file(const std::string& file) {
-  if (file.empty() || std::ifstream(file).good()) return {};
+  if (file.empty() || ::access(file.c_str(), R_OK) == 0) return {};
   return Error{ErrorCode::kNotFound, "cannot read " + file + ", a file for the connection to NATS"};
 }
 
