@@ -62,7 +62,8 @@ Status make_folder(const RecordOptions& options) {
 }
 
 Result<Recorders> start_recorders(const RecordOptions& options,
-                                  const client::Credential& credential) {
+                                  const client::Credential& credential,
+                                  const std::stop_token& stop) {
   if (auto status = make_folder(options); !status) return status.error();
   Recorders recorders;
   const auto rooms = options.rooms.empty() ? std::vector<std::string>{""} : options.rooms;
@@ -74,6 +75,7 @@ Result<Recorders> start_recorders(const RecordOptions& options,
     recorder.bundles = options.bundles;
     recorder.path = file_of(options, room);
     recorder.log = stderr_log("record", options.verbose);
+    recorder.stop = stop;
     auto opened = recording::Recorder::open(std::move(recorder));
     if (!opened) return opened.error();
     recorders.push_back(std::move(*opened));
@@ -150,7 +152,7 @@ Status run_record(const RecordOptions& options) {
   StopOnSignal stop;
   const auto credential = find_credential(options.token);
   if (!credential) return credential.error();
-  auto recorders = start_recorders(options, *credential);
+  auto recorders = start_recorders(options, *credential, stop.token());
   if (!recorders) return recorders.error();
   const auto begin = std::chrono::steady_clock::now();
   Status status = wait_for_end(*recorders, options.seconds, stop.token());

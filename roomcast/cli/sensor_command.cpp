@@ -74,6 +74,7 @@ Status run_sensor(SensorCommandOptions options) {
   options.feed.credential = *std::move(credential);
   options.feed.log = stderr_log("sensor", options.verbose);
   if (!options.frame_log.empty()) options.feed.frame_log = options.frame_log;
+  options.feed.stop = stop.token();
   auto feed = sensor::SensorFeed::start(std::move(*source), options.feed);
   if (!feed) return feed.error();
   return wait_for_end(**feed, name, stop.token());

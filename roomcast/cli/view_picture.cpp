@@ -136,7 +136,9 @@ void print_json(const ViewOptions& options, const client::RoomSnapshot& room) {
 
 Status view_without_window(const ViewOptions& options) {
   StopOnSignal stop;
-  auto viewer = client::Subscriber::open(options.subscriber);
+  client::SubscriberOptions subscriber = options.subscriber;
+  subscriber.stop = stop.token();
+  auto viewer = client::Subscriber::open(std::move(subscriber));
   if (!viewer) return viewer.error();
   if (auto may = client::check_may_record((*viewer)->snapshot()->rights); !may) return may;
   auto room = wait_for_pictures(**viewer, stop.token());

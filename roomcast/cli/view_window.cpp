@@ -52,7 +52,9 @@ Status view_in_window(const ViewOptions& options) {
   constexpr int kUnlessTheUserSaysSo = 0;
   ::setenv("XR_LOADER_DEBUG", "none", kUnlessTheUserSaysSo);  // our own message is enough
   StopOnSignal stop;
-  auto hub = client::Subscriber::open(options.subscriber);
+  client::SubscriberOptions subscriber = options.subscriber;
+  subscriber.stop = stop.token();
+  auto hub = client::Subscriber::open(std::move(subscriber));
   if (!hub) return hub.error();
   if (auto may = may_keep_last_picture(options, **hub); !may) return may;
   auto viewer = viewer::DesktopViewer::open(**hub, desktop_options(options, *(*hub)->snapshot()));

@@ -169,6 +169,11 @@ void HubLink::on_connected(const std::shared_ptr<net::WebSocketConnection>& conn
   pb::Control control;
   *control.mutable_join() = join_;
   connection_->send(control);
+  // A hub that answers pings but no join has stopped working, or is none.
+  retry_timer_.once(timings_.value_or(kTimings).give_up_after, [this] {
+    connection_->part();
+    on_ended({net::close_code::kNormal, "it does not answer"});
+  });
 }
 
 void HubLink::on_ended(const net::CloseReason& reason) {
@@ -230,6 +235,7 @@ void HubLink::take_control(std::span<const std::uint8_t> message) {
     case pb::Control::kWelcome:
       was_welcome_ = true;
       welcomed_at_ = clock_.now();
+      retry_timer_.cancel();
       hubs_.welcomed();
       keep_token(control->welcome());
       join_.clear_redirected();

@@ -227,6 +227,19 @@ TEST_F(HubLinkTest, goes_on_where_a_busy_hub_sends_it_and_says_that_it_was_sent)
   EXPECT_FALSE(hub->heard.back().join().redirected()) << "it comes anew";
 }
 
+TEST_F(HubLinkTest, a_hub_that_answers_no_join_is_left_after_a_while) {
+  hub->lets_joins_wait = true;
+  Heard impatient;
+  HubLink::Options options;
+  options.timings = net::ConnectionTimings{.ping_after = 100ms, .give_up_after = 300ms};
+  HubLink waiting(io, *net::parse_hub_urls(hub->url()), join(), impatient, options);
+  waiting.start();
+  run_until([&] { return impatient.down.size() == 1; });
+  EXPECT_NE(impatient.down[0].find("does not answer"), std::string::npos);
+  hub->lets_joins_wait = false;
+  run_until([&] { return impatient.welcomes.size() == 1; });
+}
+
 TEST_F(HubLinkTest, goes_on_at_a_hub_that_its_hub_has_named) {
   FakeHub next(io);
   welcomed();

@@ -12,6 +12,7 @@
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/room/calibration_message.h"
 #include "roomcast/client/send_rate.h"
+#include "roomcast/client/stop_notice.h"
 #include "roomcast/net/framed_message.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
@@ -63,10 +64,13 @@ class Publisher::Link final : public HubLinkEvents {
 
   /// Waits until welcomed, or until the first attempt has failed.
   Status wait_for_welcome() {
+    const StopNotice notice(options_.stop, mutex_, changed_);
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return shared_.session > 0 || shared_.down; });
+    changed_.wait(lock, [this] {
+      return shared_.session > 0 || shared_.down || options_.stop.stop_requested();
+    });
     if (shared_.session > 0 || (options_.wait_for_hub && !shared_.failure)) return {};
-    return *shared_.down;
+    return shared_.down ? *shared_.down : stopped_waiting();
   }
 
   std::optional<Turn> next_turn() {

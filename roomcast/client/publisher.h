@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "roomcast/client/credential.h"
@@ -32,6 +33,7 @@ struct PublisherOptions {
   double fps = 30;
   bool wait_for_hub = false;  // keep trying if there is no hub at first; else open() fails
   LogSink log;
+  std::stop_token stop = {};  // ends the wait of open() for the hub
 };
 
 struct PublisherStats {

@@ -86,6 +86,25 @@ class PublisherTest : public testing::Test {
   std::unique_ptr<Publisher> publisher;
 };
 
+TEST_F(PublisherTest, a_stop_ends_the_wait_for_a_hub_that_does_not_answer) {
+  ask_hub([](auto& fake) { return fake.lets_joins_wait = true; });
+  PublisherOptions options;
+  options.hub_url = hub.url();
+  options.name = "right";
+  options.calibration.depth = {.width = 64, .height = 48, .fx = 60, .fy = 60, .cx = 32, .cy = 24};
+  options.calibration.color = options.calibration.depth;
+  std::stop_source stop;
+  options.stop = stop.get_token();
+  const std::jthread stopper([&] {
+    std::this_thread::sleep_for(50ms);
+    stop.request_stop();
+  });
+  const auto opened = Publisher::open(options);
+  ASSERT_FALSE(opened.ok());
+  EXPECT_EQ(opened.error().code, ErrorCode::kClosed);
+  EXPECT_NE(opened.error().message.find("stopped"), std::string::npos);
+}
+
 TEST_F(PublisherTest, the_first_frame_has_to_be_a_key_frame) {
   EXPECT_TRUE(wait_for_turn().want_key);
   EXPECT_FALSE(publish(wait_for_turn(), kBase).has_value());

@@ -9,6 +9,7 @@
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/room/room_state.h"
+#include "roomcast/client/stop_notice.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 
@@ -40,10 +41,11 @@ class Subscriber::Link final : public HubLinkEvents {
 
   /// Waits until welcomed, or until the first attempt has failed.
   Status wait_for_welcome() {
+    const StopNotice notice(options_.stop, mutex_, changed_);
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return newest_->revision > 0; });
+    changed_.wait(lock, [this] { return newest_->revision > 0 || options_.stop.stop_requested(); });
     if (newest_->connected) return {};
-    return *down_;
+    return down_ ? *down_ : stopped_waiting();
   }
 
   std::shared_ptr<const RoomSnapshot> snapshot() const {

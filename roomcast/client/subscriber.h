@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "roomcast/client/credential.h"
@@ -23,6 +24,7 @@ struct SubscriberOptions {
   Credential credential = {};
   std::string name;  // shown to others; may be empty
   LogSink log;
+  std::stop_token stop = {};  // ends the wait of open() for the hub
 };
 
 /// Display statistics of a viewer.

@@ -27,6 +27,7 @@ client::PublisherOptions publisher_options(const source::SensorDescription& sens
   options.fps = sensor.fps;
   options.wait_for_hub = feed.wait_for_hub;
   options.log = feed.log;
+  options.stop = feed.stop;
   return options;
 }
 

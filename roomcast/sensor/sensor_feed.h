@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 
@@ -30,6 +31,7 @@ struct SensorFeedOptions {
   std::optional<std::filesystem::path> frame_log;  // one JSON line per frame sent
   std::filesystem::path preview;  // path of a picture, written once a second; empty: none
   LogSink log;
+  std::stop_token stop = {};  // ends the wait of start() for the hub
 };
 
 struct SensorFeedStats {

@@ -11,6 +11,7 @@
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/room/viewer_rights.h"
+#include "roomcast/client/stop_notice.h"
 #include "roomcast/net/timer.h"
 #include "roomcast/recording/recorder/bundle_link.h"
 #include "roomcast/recording/recorder/unix_clock.h"
@@ -52,10 +53,13 @@ class Recorder::Link final : public client::HubLinkEvents {
 
   /// Waits until the file has been created or opening has failed.
   Status wait_for_file() {
+    const client::StopNotice notice(options_.stop, mutex_, changed_);
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return has_file_ || down_ || failure_; });
+    changed_.wait(
+        lock, [this] { return has_file_ || down_ || failure_ || options_.stop.stop_requested(); });
     if (failure_) return *failure_;
-    return has_file_ ? Status() : *down_;
+    if (has_file_) return {};
+    return down_ ? *down_ : client::stopped_waiting();
   }
 
   Status finish() {

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "roomcast/client/credential.h"
@@ -26,6 +27,7 @@ struct RecorderOptions {
   bool bundles = false;  // also record calibration bundles, for placing; needs an admin token
   std::filesystem::path path;
   LogSink log;
+  std::stop_token stop = {};  // ends the wait of open() for the hub
   /// How often the newest chunk is looked at, which goes to disk at kLongestChunk.
   nanoseconds look_after_chunk = RoomRecordingWriter::kLongestChunk / 2;
 };
