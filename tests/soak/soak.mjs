@@ -57,6 +57,7 @@ const findings = [];
 const recoveries = new Map(); // fault -> [seconds until the room was well again]
 const usage = new Usage();
 let faultCount = 0;
+let faultIsOn = false;
 let pictures = 0;
 let isOver = false;
 
@@ -111,7 +112,7 @@ async function startRoom(folder) {
 function startViewer(folder, url) {
   let faultsBefore = 0;
   const args = () => {
-    faultsBefore = faultCount;
+    faultsBefore = faultIsOn ? faultCount - 1 : faultCount; // it may begin in the midst of one
     return ['view', '--hub', url, '--headless', '--size', '160,120', '--seconds', '4', '--png', join(folder, 'room.png')];
   };
   const expects = (result) => {
@@ -160,8 +161,11 @@ async function injectFaults(soak, end_ms) {
     const isSecondHalf = Date.now() > half_ms;
     if ((fault.early && isSecondHalf) || (fault.isPossible && !fault.isPossible())) continue;
     ++faultCount;
-    if ((await fault.run(soak)) === 'skipped') continue;
-    const recovery_s = await becomesWell(soak, fault.name);
+    faultIsOn = true;
+    const isSkipped = (await fault.run(soak)) === 'skipped';
+    const recovery_s = isSkipped ? 0 : await becomesWell(soak, fault.name);
+    faultIsOn = false;
+    if (isSkipped) continue;
     soak.sensors.forEach((sensor) => sensor.mayEnd(false));
     ++faultCount; // for a picture that was begun while the room was coming back
     recoveries.set(fault.name, [...(recoveries.get(fault.name) ?? []), recovery_s]);
