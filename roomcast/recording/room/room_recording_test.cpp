@@ -136,6 +136,21 @@ TEST_F(RoomRecordingTest, other_files_are_refused_with_a_reason) {
   EXPECT_NE(recording.error().message.find("not made by roomcast"), std::string::npos);
 }
 
+TEST_F(RoomRecordingTest, frames_of_impossible_times_are_left_out_and_not_counted) {
+  auto writer = RoomRecordingWriter::create(path, "lab");
+  ASSERT_TRUE(writer->add_clock({RecordingFixtureRoom::kUnixMinusRoom, {}}, {}).ok());
+  ASSERT_TRUE(writer->add_roster(room.roster(), RecordingFixtureRoom::came(0)).ok());
+  auto frame = room.frame(0, 0);
+  auto header = *wire::parse_frame(frame);
+  for (const auto capture :
+       {nanoseconds::max(), nanoseconds::min(), nanoseconds(std::int64_t{1} << 61)}) {
+    header.capture_time = RoomTime(capture);
+    wire::write_frame_header(header, std::span(frame).first<wire::kFrameHeaderBytes>());
+    ASSERT_TRUE(writer->add_frame(frame, RecordingFixtureRoom::came(0)).ok());
+  }
+  EXPECT_EQ(writer->frames(), 0U);
+}
+
 TEST_F(RoomRecordingTest, that_ended_before_the_first_roster_is_empty) {
   {
     auto writer = RoomRecordingWriter::create(path, "lab");

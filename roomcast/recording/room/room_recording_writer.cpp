@@ -6,6 +6,7 @@
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/descriptor.pb.h>
 
+#include "roomcast/recording/room/room_recording.h"
 #include "roomcast/recording/room_channels.h"
 #include "roomcast/wire/frame_header.h"
 
@@ -28,6 +29,13 @@ recording::mcap::SchemaId add_clock_schema(recording::mcap::Writer& writer) {
       R"("unix_minus_room_ns":{"type":"string"},"error_ns":{"type":"string"}}})";
   return writer.add_schema("roomcast.Clock", "jsonschema",
                            {reinterpret_cast<const std::uint8_t*>(kText.data()), kText.size()});
+}
+
+/// No reader could place another frame in time.
+bool can_be_dated(const wire::FrameHeader& header, const RoomClock& clock) {
+  const nanoseconds captured = header.capture_time.time_since_epoch();
+  return is_plausible(captured) && is_plausible(clock.unix_minus_room) &&
+         is_plausible(captured + clock.unix_minus_room);
 }
 
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
@@ -138,7 +146,7 @@ Status RoomRecordingWriter::add_bundle(const wire::pb::CalibrationBundle& bundle
 
 Status RoomRecordingWriter::add_frame(std::span<const std::uint8_t> message, nanoseconds log_time) {
   const auto header = wire::parse_frame(message);
-  if (!header) return {};
+  if (!header || !can_be_dated(*header, clock_)) return {};
   const auto sensor = frame_streams_.find(header->sensor.value);
   if (sensor == frame_streams_.end()) return {};
   ++in_chunk_.frames;

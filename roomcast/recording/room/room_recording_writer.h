@@ -43,7 +43,8 @@ class RoomRecordingWriter {
   [[nodiscard]] Status add_poses(const wire::pb::ViewerPoses& poses, nanoseconds log_time);
   /// Bundles of sensors that are not in the last roster are ignored.
   [[nodiscard]] Status add_bundle(const wire::pb::CalibrationBundle& bundle, nanoseconds log_time);
-  /// `message`: frame message with header. Frames of sensors not in the last roster are ignored.
+  /// `message`: frame message with header. Frames of sensors not in the last roster, or of
+  /// impossible times, are ignored.
   [[nodiscard]] Status add_frame(std::span<const std::uint8_t> message, nanoseconds log_time);
 
   /// Must be called regularly, also while no messages arrive.
