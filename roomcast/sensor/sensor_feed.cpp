@@ -170,7 +170,8 @@ class SensorFeed::Worker {
   Status register_color() {
     if (!captured_.color.empty())
       return registration_.run(captured_.depth_mm, captured_.color, registered_);
-    registered_.color.resize(0, 0);
+    registered_
+        .color = {};  // resized to nothing, it would keep its memory, and look like a picture
     registered_.seen.resize(0, 0);
     return {};
   }

@@ -57,6 +57,16 @@ test('whole_recording_is_played_to_its_end', async (t) => {
   assert.equal(code, 0, stderr);
 });
 
+test('a_sensor_whose_later_frames_lack_colour_is_played_to_its_end', async (t) => {
+  const rig = copyOfRecording(t);
+  const list = join(rig, 's0/rgb.txt');
+  const lines = readFileSync(list, 'utf8').split('\n').filter((line) => /^\d/.test(line));
+  assert.ok(lines.length > 2);
+  writeFileSync(list, `${lines[0]}\n`);
+  const { code, stderr } = await play(t, rig);
+  assert.equal(code, 0, stderr);
+});
+
 const damages = {
   missing_depth_picture: [(rig) => rmSync(firstPicture(join(rig, 's0/depth'))), /s0\/depth\/.*\.png/],
   truncated_depth_picture: [(rig) => truncateSync(firstPicture(join(rig, 's0/depth')), 1000), /s0\/depth\/.*\.png/],
