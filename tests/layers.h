@@ -231,8 +231,8 @@ inline const std::vector<Layer> kLayers = {
     {"web/wasm",
      "core codec codec/color codec/lossless codec/live codec/mask codec/payload"},
     {"fuzz",
-     "core geometry codec codec/lossless codec/live codec/mask codec/payload wire net recording/mcap recording/room "
-     "hub/federation/cluster hub/federation/nats"},
+     "core geometry codec codec/lossless codec/live codec/mask codec/payload wire net client/room recording/mcap "
+     "recording/room capi hub/federation/cluster hub/federation/nats"},
     {"bench",
      "*"},
 };
