@@ -4,5 +4,5 @@ import { createRequire } from 'node:module';
 
 const require = createRequire(new URL('../../web/package.json', import.meta.url));
 
-export const { WebSocket } = require('ws');
+export const { WebSocket, WebSocketServer } = require('ws');
 export const { BinaryReader, BinaryWriter, WireType } = require('@bufbuild/protobuf/wire');
