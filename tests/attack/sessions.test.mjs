@@ -26,7 +26,7 @@ const subprotocol = 'roomcast.v1';
 const handshake =
   'GET /ws HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n' +
   `Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\nSec-WebSocket-Protocol: ${subprotocol}\r\n\r\n`;
-const atATime = 8;
+const atATime = 16;
 const mostMessages = 120;
 const answersWithin_ms = 2_000;
 const staysOpen_ms = 150;
