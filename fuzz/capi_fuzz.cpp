@@ -18,17 +18,16 @@ using namespace roomcast;
 
 constexpr float kUntouched = -12345.5F;
 
-void take(client::RoomState& state, fuzz::Bytes message) {
+/// Whether there is something new to look at.
+bool take(client::RoomState& state, fuzz::Bytes message) {
   const auto type = wire::message_type(message);
-  if (type && *type == wire::MessageType::kFrame) {
-    (void)state.frame(message);
-    return;
-  }
+  if (type && *type == wire::MessageType::kFrame) return state.frame(message).ok();
   const auto control = wire::decode_control(message, wire::Sender::kHub);
-  if (!control) return;
+  if (!control) return false;
   if (control->has_welcome()) state.welcome(control->welcome());
   if (control->has_roster()) (void)state.roster(control->roster());
   if (control->has_viewer_poses()) state.poses(control->viewer_poses());
+  return control->has_roster();
 }
 
 void look(const client::RoomSnapshot& room, capi::SensorRays& rays) {
@@ -54,8 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   client::RoomState state(clock);
   capi::SensorRays rays;
   for (const fuzz::Bytes message : fuzz::hub_messages({data, size})) {
-    take(state, message);
-    look(*state.snapshot(), rays);
+    if (take(state, message)) look(*state.snapshot(), rays);
   }
   return 0;
 }
