@@ -4,7 +4,7 @@ import { setTimeout as delay } from 'node:timers/promises';
 
 import { ask } from '../network/admin.mjs';
 
-const mostTokens = 100; // of one fault
+const mostTokens = 100; // of one kill
 const longestWriting_ms = 200;
 
 export class Pledges {
@@ -16,9 +16,9 @@ export class Pledges {
     Object.assign(this, { port, admin, random, onFinding });
   }
 
-  /** Admins write while `kill` is run; what was acknowledged is looked for as soon as the hub is back. */
-  async outlive(kill) {
-    const writing = this.#writeUntilRefused();
+  /** Admins write up to `most` tokens while `kill` is run; what was acknowledged is looked for when the hub is back. */
+  async outlive(kill, most = mostTokens) {
+    const writing = this.#writeUntilRefused(most);
     await delay(this.random() * longestWriting_ms);
     await kill();
     await writing;
@@ -39,8 +39,8 @@ export class Pledges {
     if (lost > 0) this.onFinding(`${lost} of ${ids.length} acknowledged tokens are lost`);
   }
 
-  async #writeUntilRefused() {
-    for (let i = 0; i < mostTokens; ++i) {
+  async #writeUntilRefused(most) {
+    for (let i = 0; i < most; ++i) {
       try {
         const wanted = { room: 'room', role: 'viewer', ttl_s: 60 };
         const { status, body } = await ask(this.port, this.admin, 'POST', '/tokens', wanted);
