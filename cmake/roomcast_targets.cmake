@@ -4,13 +4,13 @@
 #     SOURCES depth_encoder.cpp ...        # headers need not be listed
 #     INNER_LOOPS steady_depth.cpp ...     # loops over pixels, points and matches, compiled with -O3
 #     TESTS depth_encoder_test.cpp ...     # one test program per folder: roomcast_codec_test
+#     TOGETHER RenderedBoards ...          # suites whose tests share a fixture that takes seconds: one CTest entry each
 #     LINK roomcast::core PkgConfig::VPX)
 #
 # Tests named *_gl_test.cpp need a GL 4.5 context; they get a program and the CTest label "gl" of their own.
 #
 # Several sources of a library, and several of its tests, are compiled together (ROOMCAST_UNITY_BUILD), because most of
 # a file's compile time is spent on headers. Names in anonymous namespaces must therefore differ from file to file.
-# SEPARATE excludes a library and its tests.
 
 add_library(roomcast_flags INTERFACE)
 target_include_directories(roomcast_flags INTERFACE ${PROJECT_SOURCE_DIR})
@@ -37,16 +37,29 @@ function(roomcast_compile_in_units target sources_at_a_time)
   endif()
 endfunction()
 
-# roomcast_test(TARGET LABEL SOURCE...): a test program whose tests CTest finds; LABEL is unit or gl.
+# roomcast_test(TARGET LABEL SOURCE... [TOGETHER SUITE...]): a test program whose tests CTest finds; LABEL is unit or gl.
+# CTest runs each test in a process of its own, but a suite of TOGETHER as a whole.
 function(roomcast_test target label)
-  add_executable(${target} ${ARGN})
+  cmake_parse_arguments(ARG "" "" "TOGETHER" ${ARGN})
+  add_executable(${target} ${ARG_UNPARSED_ARGUMENTS})
   target_compile_options(${target} PRIVATE -O1)  # compiled in two thirds of the time; what it tests stays as it is
-  gtest_discover_tests(${target} TEST_PREFIX "${target}." DISCOVERY_TIMEOUT 30
+  set(alone *)
+  if(ARG_TOGETHER)
+    list(TRANSFORM ARG_TOGETHER APPEND .* OUTPUT_VARIABLE together)
+    list(JOIN together : together)
+    set(alone -${together})
+  endif()
+  gtest_discover_tests(${target} TEST_PREFIX "${target}." TEST_FILTER ${alone} DISCOVERY_TIMEOUT 30
     PROPERTIES LABELS ${label} TIMEOUT ${ROOMCAST_TEST_TIMEOUT_S})
+  foreach(suite IN LISTS ARG_TOGETHER)
+    add_test(NAME ${target}.${suite} COMMAND ${target} --gtest_filter=${suite}.*)
+    set_tests_properties(${target}.${suite} PROPERTIES LABELS ${label} TIMEOUT ${ROOMCAST_TEST_TIMEOUT_S}
+      FAIL_REGULAR_EXPRESSION "Running 0 tests")
+  endforeach()
 endfunction()
 
 function(roomcast_library name)
-  cmake_parse_arguments(ARG "SEPARATE" "" "SOURCES;INNER_LOOPS;TESTS;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;INNER_LOOPS;TESTS;TOGETHER;LINK" ${ARGN})
   if(ARG_INNER_LOOPS)
     add_library(roomcast_${name}_inner_loops OBJECT ${ARG_INNER_LOOPS})
     target_link_libraries(roomcast_${name}_inner_loops PRIVATE roomcast_flags ${ARG_LINK})
@@ -57,9 +70,7 @@ function(roomcast_library name)
   endif()
   if(ARG_SOURCES)
     add_library(roomcast_${name} STATIC ${ARG_SOURCES})
-    if(NOT ARG_SEPARATE)
-      roomcast_compile_in_units(roomcast_${name} ${ROOMCAST_SOURCES_AT_A_TIME})
-    endif()
+    roomcast_compile_in_units(roomcast_${name} ${ROOMCAST_SOURCES_AT_A_TIME})
     set(scope PUBLIC)
   else()
     add_library(roomcast_${name} INTERFACE)
@@ -74,14 +85,13 @@ function(roomcast_library name)
   list(FILTER gl_tests INCLUDE REGEX "_gl_test\\.cpp$")
   list(FILTER ARG_TESTS EXCLUDE REGEX "_gl_test\\.cpp$")
   if(ARG_TESTS)
-    roomcast_test(roomcast_${name}_test unit ${ARG_TESTS})
-    if(NOT ARG_SEPARATE)
-      roomcast_compile_in_units(roomcast_${name}_test ${ROOMCAST_TESTS_AT_A_TIME})
-    endif()
+    roomcast_test(roomcast_${name}_test unit ${ARG_TESTS} TOGETHER ${ARG_TOGETHER})
+    roomcast_compile_in_units(roomcast_${name}_test ${ROOMCAST_TESTS_AT_A_TIME})
     target_link_libraries(roomcast_${name}_test PRIVATE roomcast_${name} GTest::gmock GTest::gtest_main)
   endif()
   if(gl_tests)
     roomcast_test(roomcast_${name}_gl_test gl ${gl_tests})
+    roomcast_compile_in_units(roomcast_${name}_gl_test ${ROOMCAST_TESTS_AT_A_TIME})
     target_link_libraries(roomcast_${name}_gl_test PRIVATE roomcast_${name} GTest::gtest_main)
   endif()
 endfunction()

@@ -4,7 +4,7 @@
 #
 #   plan 3                               three steps will follow
 #   step "Build the hub" make hub        runs the command, logs its output, prints one line with name and duration
-#   begin_step "Build the page" npm ...  the same beside the steps that follow; end_step waits for it
+#   begin_step "Build the page" npm ...  the same beside the steps that follow; end_step (await_step) waits for it
 #   fail "One sentence."                 ends the script with that sentence
 #
 # A step that fails ends the script with one sentence, the path of its log and the log's last lines.
@@ -89,7 +89,7 @@ begin_step() {
   step_number=$((step_number + 1))
   background_number=$step_number
   background_log=$logs/$(basename "$script_name")-$step_number.log
-  printf '[%d/%d] %s, beside the next step ...\n' "$step_number" "$step_count" "$background_name"
+  printf '[%d/%d] %s, beside the next steps ...\n' "$step_number" "$step_count" "$background_name"
   set -m
   (set -e; "$@") >"$background_log" 2>&1 &
   background_group=$!
@@ -97,17 +97,22 @@ begin_step() {
   trap 'kill -- "-$background_group" 2>/dev/null' EXIT
 }
 
-# Waits for the command of begin_step; its failure ends the script.
-end_step() {
+# Waits for the command of begin_step; leaves its status in $step_status and the path of its log in $step_log.
+await_step() {
+  local verdict=done
   step_status=0
   wait "$background_group" || step_status=$?
   trap - EXIT
-  if ((step_status == 0)); then
-    printf '[%d/%d] %s done, %d s\n' "$background_number" "$step_count" "$background_name" \
-      $((SECONDS - background_started))
-    return
-  fi
   step_log=$background_log
+  ((step_status == 0)) || verdict=failed
+  printf '[%d/%d] %s %s, %d s\n' "$background_number" "$step_count" "$background_name" "$verdict" \
+    $((SECONDS - background_started))
+}
+
+# Waits for the command of begin_step; its failure ends the script.
+end_step() {
+  await_step
+  ((step_status == 0)) && return
   show_end_of_log
   fail "\"$background_name\" failed; the lines above are the end of ${step_log#"$root"/}."
 }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# Runs test suites one after the other, adds up their reports, and prints a summary. Sourced after steps.sh.
+# Runs test suites, adds up their reports, and prints a summary. Sourced after steps.sh.
 
 passed=0
 failed=0
@@ -48,12 +48,23 @@ failed_in_tap() {
 }
 
 # suite NAME KIND REPORT COMMAND...: KIND is junit or tap. An empty REPORT means that the suite prints its report.
-# A suite that fails without a failed test of its own (it crashed, or never began) counts as one failure.
 suite() {
-  local name=$1 kind=$2 report=$3 counts=() lines=() why
+  local name=$1 kind=$2 report=$3
   shift 3
   run_step "$name" "$@"
-  report=${report:-$step_log}
+  count_suite "$kind" "$report"
+}
+
+# end_suite KIND REPORT: the same for a suite that was begun with begin_step.
+end_suite() {
+  await_step
+  count_suite "$@"
+}
+
+# Adds up the report of the suite that has just ended.
+# A suite that fails without a failed test of its own (it crashed, or never began) counts as one failure.
+count_suite() {
+  local kind=$1 report=${2:-$step_log} counts=() lines=() why
   if [[ -f $report ]]; then
     read -r -a counts < <("read_$kind" "$report") || true
     mapfile -t lines < <("skipped_in_$kind" "$report")

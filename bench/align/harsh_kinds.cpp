@@ -14,8 +14,8 @@ constexpr std::array<std::string_view, 7> kDevelopmentRooms = {
     "livingroom", "lab", "studio", "mirror-tiles", "shelf-rows", "half-turn-hall", "glossy-floor"};
 constexpr std::array<std::string_view, 7> kJudgedRooms = {
     "office", "meeting", "bare", "corners", "desk-rows", "open-plan", "dark-floor"};
-constexpr std::array<Harshness, 3> kSensors = {Harshness::kTimeOfFlight,
-                                               Harshness::kStructuredLight, Harshness::kMixed};
+constexpr std::array<Harshness, 3> kSensorKinds = {Harshness::kTimeOfFlight,
+                                                   Harshness::kStructuredLight, Harshness::kMixed};
 
 /// Seeds of the suite are far from each other and from those of other suites.
 constexpr std::uint64_t kFirstSeed = 7'000'000'000, kSeedsOfRun = 10'000'000;
@@ -42,7 +42,7 @@ std::vector<HarshKind> harsh_kinds(std::optional<HarshPart> part, std::uint64_t 
   std::uint64_t next = kFirstSeed + kSeedsOfRun * seed;
   for (const HarshPart of : {HarshPart::kDevelopment, HarshPart::kJudged}) {
     for (const auto& room : of == HarshPart::kDevelopment ? kDevelopmentRooms : kJudgedRooms) {
-      for (const Harshness sensors : kSensors) {
+      for (const Harshness sensors : kSensorKinds) {
         if (!part || *part == of) kinds.push_back({std::string(room), sensors, of, next});
         next += 2 * kHarshRigsPerKind;
       }

@@ -24,7 +24,7 @@ HarshView seen_from_another_room() {
       alignment::view_fixture(elsewhere, "far", alignment::corner_pose(-2, 1.5)));
 }
 
-const HarshRow& two_and_a_stranger() {
+const HarshRow& row_of_two_and_a_stranger() {
   static const HarshRow row = judged({{seen_without_error(alignment::first_corner()),
                                        seen_without_error(alignment::second_corner()), HarshView{}},
                                       {seen_from_another_room()}});
@@ -32,7 +32,7 @@ const HarshRow& two_and_a_stranger() {
 }
 
 TEST(HarshSuite, counts_right_answers_and_refused_strangers) {
-  const HarshRow& row = two_and_a_stranger();
+  const HarshRow& row = row_of_two_and_a_stranger();
   EXPECT_EQ(row.pairs, 1);
   EXPECT_EQ(row.answered, 1);
   EXPECT_EQ(row.wrong, 0);

@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 constexpr double kFps = 30;
-constexpr auto kWarmUp = 2s;  // time for congestion control to find its rate
+constexpr auto kRateSearch = 2s;  // time for congestion control to find its rate
 
 struct LinkCase {
   LinkSpec link;
@@ -53,7 +53,7 @@ class LinkRoom {
     if (!far_->sees_something()) {
       return Error{ErrorCode::kUnavailable, "nothing arrives over the emulated link"};
     }
-    std::this_thread::sleep_for(kWarmUp);
+    std::this_thread::sleep_for(kRateSearch);
     (void)far_->take();
     for (const auto& watcher : near_) (void)watcher->take();
     const std::uint64_t sent = sensors_.front()->frames_sent();

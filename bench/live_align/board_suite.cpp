@@ -14,8 +14,9 @@ namespace {
 /// A tag is detected up to about 60 degrees off its normal. Two sensors much further apart can
 /// hardly ever detect the same flat board.
 constexpr double kApart_deg = 60;
-constexpr int kSensors = 6;
-constexpr nanoseconds kPhase = std::chrono::milliseconds(23);  // sensors are not synchronised
+constexpr int kSensorsAroundBoard = 6;
+constexpr nanoseconds kSecondSensorsDelay =
+    std::chrono::milliseconds(23);  // sensors are not synchronised
 
 std::vector<alignment::TagSighting> watch_board(FilmedSensor& sensor,
                                                 const BoardSuiteOptions& options, nanoseconds phase,
@@ -39,12 +40,12 @@ std::vector<alignment::TagSighting> watch_board(FilmedSensor& sensor,
 Result<PairCase> run_case(const char* scene, std::uint64_t seed, const BoardSuiteOptions& options) {
   const auto room = simulator::SimulatedRoom::build(scene, seed, simulator::Visitor::kBoardBearer);
   if (!room) return room.error();
-  auto sensors = sensors_apart(*room, seed, kApart_deg, kSensors);
+  auto sensors = sensors_apart(*room, seed, kApart_deg, kSensorsAroundBoard);
   if (!sensors) return sensors.error();
   PairCase result = case_of(scene, seed, *sensors);
   double a_ms = 0, b_ms = 0;
   const auto seen_by_a = watch_board(sensors->first, options, {}, a_ms);
-  const auto seen_by_b = watch_board(sensors->second, options, kPhase, b_ms);
+  const auto seen_by_b = watch_board(sensors->second, options, kSecondSensorsDelay, b_ms);
   result.detector_ms = (a_ms + b_ms) / 2;
   const auto match = alignment::match_boards(seen_by_a, seen_by_b);
   if (match) {

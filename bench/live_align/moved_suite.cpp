@@ -19,8 +19,8 @@
 namespace roomcast::bench {
 namespace {
 
-constexpr int kSensors = 3;
-constexpr int kBundleFrames = 7;
+constexpr int kSensorsOfRoom = 3;
+constexpr int kFramesOfBundle = 7;
 constexpr nanoseconds kWatchFrom = std::chrono::seconds(6);
 constexpr nanoseconds kGiveUp = std::chrono::seconds(6);
 
@@ -45,7 +45,7 @@ class Scene {
   Status run(MovedRow& row) {
     auto still = open({});
     if (!still) return still.error();
-    const auto bundle = still->bundle(kBundleFrames);
+    const auto bundle = still->bundle(kFramesOfBundle);
     if (!bundle) return bundle.error();
     watch_unmoved(*still, *bundle, row);
     for (int i = 0; i < options_.pushes; ++i) {
@@ -65,8 +65,8 @@ class Scene {
  private:
   Result<FilmedSensor> open(const RigidTransform& push) const {
     simulator::SimulatedSensor::Options sensing;
-    sensing.index = static_cast<int>(options_.seed) % kSensors;
-    sensing.count = kSensors;
+    sensing.index = static_cast<int>(options_.seed) % kSensorsOfRoom;
+    sensing.count = kSensorsOfRoom;
     sensing.seed = options_.seed;
     sensing.sensing.half_color = true;
     sensing.mount_from_depth = push;

@@ -12,7 +12,8 @@ namespace roomcast::bench {
 namespace {
 
 constexpr nanoseconds kWalkBegins = std::chrono::seconds(6);
-constexpr nanoseconds kPhase = std::chrono::milliseconds(23);  // sensors are not synchronised
+constexpr nanoseconds kPhaseOfSecond =
+    std::chrono::milliseconds(23);  // sensors are not synchronised
 
 struct Walk {
   RigidTransform level_from_depth;
@@ -56,7 +57,7 @@ Result<PairCase> run_case(const char* scene, std::uint64_t seed,
     return result;
   }
   const auto seen_by_a = observe_walk(sensors->first, still->first, options, {});
-  const auto seen_by_b = observe_walk(sensors->second, still->second, options, kPhase);
+  const auto seen_by_b = observe_walk(sensors->second, still->second, options, kPhaseOfSecond);
   if (!seen_by_a || !seen_by_b) {
     result.reason = (seen_by_a ? seen_by_b : seen_by_a).error().message;
     return result;

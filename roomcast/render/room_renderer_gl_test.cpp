@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 // A sensor of 64x48 pixels, and an eye at the same pose with the same focal length and twice the
 // field: one depth pixel covers one pixel.
-const CameraIntrinsics kLens = pinhole(64, 48, 60);
+const CameraIntrinsics kRoomRendererLens = pinhole(64, 48, 60);
 const CameraIntrinsics kWideLens = pinhole(128, 96, 60);
 const RigidTransform kPose = world_from_optical_looking_at(Vector3d(1, 1.5, 2), Vector3d(3, 1, -4));
 constexpr int kLeft = 32, kTop = 24, kRight = 96, kBottom = 72;  // the sensor's part of the picture
@@ -27,20 +27,21 @@ INSTANTIATE_TEST_SUITE_P(Modes, EveryMode,
                          [](const auto& mode) { return std::string(name_of(mode.param)); });
 
 TEST_P(EveryMode, colours_twice_as_fine_as_depth_have_their_places) {
-  SensorPictures pictures = wall(kLens, 2000, kRed);
-  pictures.color = ColorImage(2 * kLens.width, 2 * kLens.height, kRed);
-  fill_box(pictures.color, kLens.width, 0, 2 * kLens.width, 2 * kLens.height, kBlue);
-  add(kFirst, kLens, kPose, pictures);
+  SensorPictures pictures = wall(kRoomRendererLens, 2000, kRed);
+  pictures.color = ColorImage(2 * kRoomRendererLens.width, 2 * kRoomRendererLens.height, kRed);
+  fill_box(pictures.color, kRoomRendererLens.width, 0, 2 * kRoomRendererLens.width,
+           2 * kRoomRendererLens.height, kBlue);
+  add(kFirst, kRoomRendererLens, kPose, pictures);
   const Picture picture = draw_wide();
   const int middle = (kLeft + kRight) / 2, row = (kTop + kBottom) / 2;
   EXPECT_EQ(picture.color.at(middle - 3, row), kRed);
   EXPECT_EQ(picture.color.at(middle + 3, row), kBlue);
-  add(kFirst, kLens, kPose, wall(kLens, 2000, kGreen));  // and back
+  add(kFirst, kRoomRendererLens, kPose, wall(kRoomRendererLens, 2000, kGreen));  // and back
   EXPECT_EQ(draw_wide().color.at(middle, row), kGreen);
 }
 
 TEST_P(EveryMode, a_wall_covers_the_pixels_that_its_sensor_saw_and_no_others) {
-  add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
+  add(kFirst, kRoomRendererLens, kPose, wall(kRoomRendererLens, 2000, kRed));
   const Picture picture = draw_wide();
   const int border = 1;  // half a point extends beyond it, half a cell is missing
   for (int y = 0; y < kWideLens.height; ++y) {
@@ -57,11 +58,11 @@ TEST_P(EveryMode, a_wall_covers_the_pixels_that_its_sensor_saw_and_no_others) {
 }
 
 TEST_P(EveryMode, left_right_top_and_bottom_stay_where_they_are) {
-  SensorPictures pictures = wall(kLens, 2000, kRed);
+  SensorPictures pictures = wall(kRoomRendererLens, 2000, kRed);
   fill_box(pictures.color, 32, 0, 64, 24, kGreen);
   fill_box(pictures.color, 0, 24, 32, 48, kBlue);
   fill_box(pictures.color, 32, 24, 64, 48, kYellow);
-  add(kFirst, kLens, kPose, pictures);
+  add(kFirst, kRoomRendererLens, kPose, pictures);
   const Picture picture = draw_wide();
   EXPECT_EQ(picture.color.at(kLeft + 4, kTop + 4), kRed);
   EXPECT_EQ(picture.color.at(kRight - 5, kTop + 4), kGreen);
@@ -71,16 +72,18 @@ TEST_P(EveryMode, left_right_top_and_bottom_stay_where_they_are) {
 
 TEST_P(EveryMode, the_nearer_surface_hides_the_farther_one_of_another_sensor) {
   for (const bool near_is_first : {true, false}) {
-    add(near_is_first ? kFirst : kSecond, kLens, kPose, wall(kLens, 1000, kGreen));
-    add(near_is_first ? kSecond : kFirst, kLens, kPose, wall(kLens, 1100, kRed));
+    add(near_is_first ? kFirst : kSecond, kRoomRendererLens, kPose,
+        wall(kRoomRendererLens, 1000, kGreen));
+    add(near_is_first ? kSecond : kFirst, kRoomRendererLens, kPose,
+        wall(kRoomRendererLens, 1100, kRed));
     EXPECT_EQ(draw_wide().color.at(64, 48), kGreen);
   }
 }
 
 TEST_P(EveryMode, pixels_without_depth_draw_nothing) {
-  SensorPictures pictures = wall(kLens, 2000, kRed);
+  SensorPictures pictures = wall(kRoomRendererLens, 2000, kRed);
   fill_box<std::uint16_t>(pictures.depth_mm, 20, 10, 40, 30, 0);
-  add(kFirst, kLens, kPose, pictures);
+  add(kFirst, kRoomRendererLens, kPose, pictures);
   const Picture picture = draw_wide();
   constexpr int kRim = 4;  // blend mode extends the edges of objects
   for (int y = kTop + 10 + kRim; y < kTop + 30 - kRim; ++y) {
@@ -91,9 +94,9 @@ TEST_P(EveryMode, pixels_without_depth_draw_nothing) {
 }
 
 TEST_P(EveryMode, what_the_color_camera_did_not_see_is_grey) {
-  SensorPictures pictures = wall(kLens, 2000, kRed);
+  SensorPictures pictures = wall(kRoomRendererLens, 2000, kRed);
   fill_box<std::uint8_t>(pictures.seen, 20, 10, 40, 30, 0);
-  add(kFirst, kLens, kPose, pictures);
+  add(kFirst, kRoomRendererLens, kPose, pictures);
   const Picture picture = draw_wide();
   const Rgb8 grey = picture.color.at(kLeft + 30, kTop + 20);
   EXPECT_EQ(grey.r, grey.g);
@@ -103,21 +106,23 @@ TEST_P(EveryMode, what_the_color_camera_did_not_see_is_grey) {
 }
 
 TEST_P(EveryMode, a_surface_without_color_gives_way_to_a_sensor_that_saw_it) {
-  SensorPictures unseen = wall(kLens, 2000, kRed);
-  unseen.seen = MaskImage(kLens.width, kLens.height, 0);
-  add(kFirst, kLens, kPose, unseen);
-  add(kSecond, kLens, kPose, wall(kLens, 2020, kGreen));  // 2 cm farther: within depth noise
+  SensorPictures unseen = wall(kRoomRendererLens, 2000, kRed);
+  unseen.seen = MaskImage(kRoomRendererLens.width, kRoomRendererLens.height, 0);
+  add(kFirst, kRoomRendererLens, kPose, unseen);
+  add(kSecond, kRoomRendererLens, kPose,
+      wall(kRoomRendererLens, 2020, kGreen));  // 2 cm farther: within depth noise
   EXPECT_EQ(draw_wide().color.at(64, 48), kGreen);
 
-  add(kSecond, kLens, kPose, wall(kLens, 2200, kGreen));  // a different surface, well behind
+  add(kSecond, kRoomRendererLens, kPose,
+      wall(kRoomRendererLens, 2200, kGreen));  // a different surface, well behind
   EXPECT_NEAR(draw_wide().color.at(64, 48).g, 128, 1);
 }
 
 TEST_P(EveryMode, every_pixel_knows_which_sensor_drew_it) {
-  SensorPictures half = wall(kLens, 1500, kRed);
+  SensorPictures half = wall(kRoomRendererLens, 1500, kRed);
   fill_box<std::uint16_t>(half.depth_mm, 32, 0, 64, 48, 0);
-  add(kFirst, kLens, kPose, half);
-  add(SensorId{65535}, kLens, kPose, wall(kLens, 2000, kGreen));
+  add(kFirst, kRoomRendererLens, kPose, half);
+  add(SensorId{65535}, kRoomRendererLens, kPose, wall(kRoomRendererLens, 2000, kGreen));
   const Picture picture = draw_wide();
   EXPECT_EQ(picture.sensors.at(kLeft + 10, 48), 1);
   EXPECT_EQ(picture.sensors.at(kRight - 10, 48), 65535);
@@ -125,55 +130,57 @@ TEST_P(EveryMode, every_pixel_knows_which_sensor_drew_it) {
 }
 
 TEST_P(EveryMode, an_unplaced_sensor_is_drawn_and_never_mixed_with_others) {
-  add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
-  add(kSecond, kLens, kPose, wall(kLens, 2010, kGreen));  // within the mixing distance
+  add(kFirst, kRoomRendererLens, kPose, wall(kRoomRendererLens, 2000, kRed));
+  add(kSecond, kRoomRendererLens, kPose,
+      wall(kRoomRendererLens, 2010, kGreen));  // within the mixing distance
   room_->set_unplaced(kSecond, true);
   EXPECT_EQ(draw_wide().color.at(64, 48), kRed);
-  add(kSecond, kLens, kPose, wall(kLens, 1900, kGreen));
+  add(kSecond, kRoomRendererLens, kPose, wall(kRoomRendererLens, 1900, kGreen));
   EXPECT_EQ(draw_wide().color.at(64, 48), kGreen) << "it is there, by itself";
   room_->remove(kFirst);
   EXPECT_EQ(draw_wide().color.at(64, 48), kGreen);
 }
 
 TEST_P(EveryMode, a_moved_sensor_keeps_its_picture) {
-  add(kFirst, kLens, RigidTransform{}, wall(kLens, 2000, kRed));
-  ASSERT_TRUE(room_->set_sensor(kFirst, kLens, kPose).ok());
+  add(kFirst, kRoomRendererLens, RigidTransform{}, wall(kRoomRendererLens, 2000, kRed));
+  ASSERT_TRUE(room_->set_sensor(kFirst, kRoomRendererLens, kPose).ok());
   EXPECT_EQ(draw_wide().color.at(64, 48), kRed);
 }
 
 TEST_P(EveryMode, a_sensor_with_another_lens_starts_empty) {
-  add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
+  add(kFirst, kRoomRendererLens, kPose, wall(kRoomRendererLens, 2000, kRed));
   ASSERT_TRUE(room_->set_sensor(kFirst, pinhole(32, 32, 30), kPose).ok());
   EXPECT_EQ(draw_wide().color, ColorImage(kWideLens.width, kWideLens.height, kNothing));
 }
 
 TEST_P(EveryMode, a_removed_sensor_is_gone) {
-  add(kFirst, kLens, kPose, wall(kLens, 1000, kRed));
-  add(kSecond, kLens, kPose, wall(kLens, 2000, kGreen));
+  add(kFirst, kRoomRendererLens, kPose, wall(kRoomRendererLens, 1000, kRed));
+  add(kSecond, kRoomRendererLens, kPose, wall(kRoomRendererLens, 2000, kGreen));
   room_->remove(kFirst);
   EXPECT_EQ(draw_wide().color.at(64, 48), kGreen);
 }
 
 TEST_P(EveryMode, the_newest_picture_is_drawn) {
-  add(kFirst, kLens, kPose, wall(kLens, 1000, kRed));
+  add(kFirst, kRoomRendererLens, kPose, wall(kRoomRendererLens, 1000, kRed));
   EXPECT_EQ(draw_wide().color.at(64, 48), kRed);
-  add(kFirst, kLens, kPose, wall(kLens, 0, kRed));
+  add(kFirst, kRoomRendererLens, kPose, wall(kRoomRendererLens, 0, kRed));
   EXPECT_EQ(draw_wide().color.at(64, 48), kNothing);
-  add(kFirst, kLens, kPose, wall(kLens, 3000, kBlue));
+  add(kFirst, kRoomRendererLens, kPose, wall(kRoomRendererLens, 3000, kBlue));
   EXPECT_EQ(draw_wide().color.at(64, 48), kBlue);
 }
 
 TEST_P(EveryMode, rows_of_a_larger_picture_can_be_uploaded) {
   const CameraIntrinsics large_lens = pinhole(100, 60, 60);
   SensorPictures large = wall(large_lens, 0, kRed);
-  fill_box<std::uint16_t>(large.depth_mm, 0, 0, kLens.width, kLens.height, 2000);
+  fill_box<std::uint16_t>(large.depth_mm, 0, 0, kRoomRendererLens.width, kRoomRendererLens.height,
+                          2000);
   const auto corner = [](const auto& image) {
     auto view = image.view();
-    view.width = kLens.width;
-    view.height = kLens.height;
+    view.width = kRoomRendererLens.width;
+    view.height = kRoomRendererLens.height;
     return view;
   };
-  ASSERT_TRUE(room_->set_sensor(kFirst, kLens, kPose).ok());
+  ASSERT_TRUE(room_->set_sensor(kFirst, kRoomRendererLens, kPose).ok());
   ASSERT_TRUE(
       room_->upload(kFirst, corner(large.depth_mm), corner(large.color), corner(large.seen)).ok());
   const Picture picture = draw_wide();
@@ -182,8 +189,8 @@ TEST_P(EveryMode, rows_of_a_larger_picture_can_be_uploaded) {
 }
 
 TEST_P(EveryMode, the_same_room_gives_the_same_picture) {
-  add(kFirst, kLens, kPose, wall(kLens, 2000, kGreen));
-  add(kSecond, kLens, kPose, wall(kLens, 2000, kRed));
+  add(kFirst, kRoomRendererLens, kPose, wall(kRoomRendererLens, 2000, kGreen));
+  add(kSecond, kRoomRendererLens, kPose, wall(kRoomRendererLens, 2000, kRed));
   const Picture once = draw_wide(), again = draw_wide();
   EXPECT_EQ(once.color, again.color);
   EXPECT_EQ(once.sensors, again.sensors);
@@ -192,7 +199,7 @@ TEST_P(EveryMode, the_same_room_gives_the_same_picture) {
 using Room = RoomTest;
 
 TEST_F(Room, a_picture_of_an_unknown_sensor_is_refused) {
-  const SensorPictures pictures = wall(kLens, 1000, kRed);
+  const SensorPictures pictures = wall(kRoomRendererLens, 1000, kRed);
   const Status status =
       room_->upload(SensorId{7}, pictures.depth_mm, pictures.color, pictures.seen);
   ASSERT_FALSE(status.ok());
@@ -201,8 +208,8 @@ TEST_F(Room, a_picture_of_an_unknown_sensor_is_refused) {
 }
 
 TEST_F(Room, a_picture_of_another_size_is_refused) {
-  ASSERT_TRUE(room_->set_sensor(kFirst, kLens, kPose).ok());
-  const SensorPictures right = wall(kLens, 1000, kRed);
+  ASSERT_TRUE(room_->set_sensor(kFirst, kRoomRendererLens, kPose).ok());
+  const SensorPictures right = wall(kRoomRendererLens, 1000, kRed);
   const SensorPictures wrong = wall(pinhole(64, 47, 60), 1000, kRed);
   const auto code = [&](DepthView depth, ColorView color, MaskView seen) {
     const Status status = room_->upload(kFirst, depth, color, seen);
@@ -217,15 +224,16 @@ TEST_F(Room, a_picture_of_another_size_is_refused) {
 }
 
 TEST_F(Room, an_impossible_sensor_is_refused_and_changes_nothing) {
-  ASSERT_TRUE(room_->set_sensor(kFirst, kLens, kPose).ok());
+  ASSERT_TRUE(room_->set_sensor(kFirst, kRoomRendererLens, kPose).ok());
   RigidTransform nowhere;
   nowhere.translation_m.y() = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(room_->set_sensor(kFirst, kLens, nowhere).error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(room_->set_sensor(kFirst, kRoomRendererLens, nowhere).error().code,
+            ErrorCode::kInvalidArgument);
   EXPECT_EQ(room_->set_sensor(kFirst, pinhole(64, 48, -1), kPose).error().code,
             ErrorCode::kInvalidArgument);
   EXPECT_EQ(room_->set_sensor(kFirst, pinhole(4096, 1025, 60), kPose).error().code,
             ErrorCode::kTooLarge);
-  const SensorPictures pictures = wall(kLens, 1000, kRed);
+  const SensorPictures pictures = wall(kRoomRendererLens, 1000, kRed);
   EXPECT_TRUE(room_->upload(kFirst, pictures.depth_mm, pictures.color, pictures.seen).ok());
 }
 
@@ -246,7 +254,7 @@ TEST_F(Room, a_camera_that_does_not_fit_the_picture_is_refused) {
   ViewCamera camera = eye_of(kWideLens, kPose);
   EXPECT_EQ(room_->draw(camera, *target, RenderMode::kMesh).error().code,
             ErrorCode::kInvalidArgument);
-  camera = eye_of(kLens, kPose);
+  camera = eye_of(kRoomRendererLens, kPose);
   camera.near_m = -1;
   EXPECT_EQ(room_->draw(camera, *target, RenderMode::kMesh).error().code,
             ErrorCode::kInvalidArgument);

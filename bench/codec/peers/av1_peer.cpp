@@ -16,12 +16,12 @@ namespace roomcast::bench {
 namespace {
 
 constexpr int kBits = 12, kMaxValue = (1 << kBits) - 1;
-constexpr int kSpeed = 8;     // fast enough for live video
-constexpr int kQuality = 10;  // range 0..63, 0 is finest; even finer levels smear edges
+constexpr int kSpeed = 8;        // fast enough for live video
+constexpr int kAv1Quality = 10;  // range 0..63, 0 is finest; even finer levels smear edges
 constexpr int kMaskLevel = 3;
 constexpr int kKeyEvery = 9999;  // key frames are requested explicitly
 
-Error failure(const char* what) {
+Error av1_failure(const char* what) {
   return {ErrorCode::kUnavailable, std::string("libaom could not ") + what + "."};
 }
 
@@ -58,7 +58,7 @@ bool open_encoder(const BenchPicture& picture, AomContext& encoder) {
   }
   encoder.open = true;
   return aom_codec_control(&encoder.context, AOME_SET_CPUUSED, kSpeed) == AOM_CODEC_OK &&
-         aom_codec_control(&encoder.context, AOME_SET_CQ_LEVEL, kQuality) == AOM_CODEC_OK;
+         aom_codec_control(&encoder.context, AOME_SET_CQ_LEVEL, kAv1Quality) == AOM_CODEC_OK;
 }
 
 bool open_decoder(AomContext& decoder) {
@@ -102,11 +102,11 @@ class Av1Depth final : public CodecUnderTest {
     const CpuStopwatch encoding;
     fill_picture(frame.depth_mm);
     const std::size_t mask_bytes = mask_.pack(frame.depth_mm);
-    if (!encode(want_key)) return failure("encode a picture");
+    if (!encode(want_key)) return av1_failure("encode a picture");
     const double encode_ms = encoding.ms();
     decoded.depth_mm.resize(frame.depth_mm.width(), frame.depth_mm.height());
     const CpuStopwatch decoding;
-    if (!decode(decoded.depth_mm)) return failure("decode a picture");
+    if (!decode(decoded.depth_mm)) return av1_failure("decode a picture");
     return FrameCost{stream_.size() + mask_bytes, 0, encode_ms, decoding.ms()};
   }
 
@@ -176,7 +176,7 @@ class Av1Depth final : public CodecUnderTest {
 
 PeerResult make_av1_depth(const BenchPicture& picture) {
   auto codec = std::make_unique<Av1Depth>(picture.width, picture.height);
-  if (!codec->open(picture)) return failure("start");
+  if (!codec->open(picture)) return av1_failure("start");
   return std::unique_ptr<CodecUnderTest>(std::move(codec));
 }
 

@@ -11,7 +11,7 @@
 namespace roomcast::bench {
 namespace {
 
-Error failure(const char* what) {
+Error h264_failure(const char* what) {
   return {ErrorCode::kUnavailable, std::string("OpenH264 could not ") + what + "."};
 }
 
@@ -77,12 +77,12 @@ class H264Color final : public CodecUnderTest {
 
   Result<FrameCost> run(const BenchFrame& frame, bool want_key, BenchFrame& decoded) override {
     const CpuStopwatch encoding;
-    if (!encode(frame, want_key)) return failure("encode a picture");
+    if (!encode(frame, want_key)) return h264_failure("encode a picture");
     const double encode_ms = encoding.ms();
     decoded.color.resize(frame.color.width(), frame.color.height());
     decoded.seen = frame.seen;
     const CpuStopwatch decoding;
-    if (!decode(decoded.color.view())) return failure("decode a picture");
+    if (!decode(decoded.color.view())) return h264_failure("decode a picture");
     return FrameCost{0, stream_.size(), encode_ms, decoding.ms()};
   }
 
@@ -148,7 +148,7 @@ PeerResult make_h264_color(const BenchPicture& picture) {
   }
   auto encoder = open_encoder(picture);
   auto decoder = open_decoder();
-  if (!encoder || !decoder) return failure("start");
+  if (!encoder || !decoder) return h264_failure("start");
   return std::unique_ptr<CodecUnderTest>(
       std::make_unique<H264Color>(picture, std::move(encoder), std::move(decoder)));
 }

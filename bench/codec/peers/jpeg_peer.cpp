@@ -8,14 +8,14 @@
 namespace roomcast::bench {
 namespace {
 
-constexpr int kQuality = 85;
+constexpr int kJpegQuality = 85;
 
 class Jpeg final : public CodecUnderTest {
  public:
   Result<FrameCost> run(const BenchFrame& frame, bool, BenchFrame& decoded) override {
     fill(frame);
     const CpuStopwatch encoding;
-    std::string fault = jpeg_.encode(filled_, kQuality, file_);
+    std::string fault = jpeg_.encode(filled_, kJpegQuality, file_);
     const double encode_ms = encoding.ms();
     decoded.color.resize(frame.color.width(), frame.color.height());
     const CpuStopwatch decoding;

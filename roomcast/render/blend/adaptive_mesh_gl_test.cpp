@@ -10,7 +10,7 @@ namespace roomcast::render {
 namespace {
 
 using Triangle = std::array<GLuint, 3>;
-constexpr int kWidth = 65, kHeight = 49;
+constexpr int kAdaptiveMeshWidth = 65, kAdaptiveMeshHeight = 49;
 
 class AdaptiveMeshTest : public GlTest {
  protected:
@@ -68,38 +68,38 @@ int cells_covered(const std::vector<Triangle>& triangles) {
 }
 
 TEST_F(AdaptiveMeshTest, a_wall_is_a_few_large_triangles_that_cover_it_once) {
-  const auto triangles = triangles_of(Image<float>(kWidth, kHeight, 2.0F));
+  const auto triangles = triangles_of(Image<float>(kAdaptiveMeshWidth, kAdaptiveMeshHeight, 2.0F));
   EXPECT_EQ(triangles.size(), 4U * 3U * 2U);
-  EXPECT_EQ(cells_covered(triangles), (kWidth - 1) * (kHeight - 1));
+  EXPECT_EQ(cells_covered(triangles), (kAdaptiveMeshWidth - 1) * (kAdaptiveMeshHeight - 1));
 }
 
 TEST_F(AdaptiveMeshTest, a_slanted_wall_is_flat_too) {
-  Image<float> depth(kWidth, kHeight);
-  for (int i = 0; i < kWidth * kHeight; ++i) {
-    depth.data()[i] = 1 / (0.5F - 0.004F * static_cast<float>(i % kWidth));
+  Image<float> depth(kAdaptiveMeshWidth, kAdaptiveMeshHeight);
+  for (int i = 0; i < kAdaptiveMeshWidth * kAdaptiveMeshHeight; ++i) {
+    depth.data()[i] = 1 / (0.5F - 0.004F * static_cast<float>(i % kAdaptiveMeshWidth));
   }
   const auto triangles = triangles_of(depth);
-  EXPECT_EQ(cells_covered(triangles), (kWidth - 1) * (kHeight - 1));
+  EXPECT_EQ(cells_covered(triangles), (kAdaptiveMeshWidth - 1) * (kAdaptiveMeshHeight - 1));
   EXPECT_EQ(triangles.size(), 4U * 3U * 2U);
 }
 
 TEST_F(AdaptiveMeshTest, what_is_bent_gets_small_triangles_and_still_covers_everything) {
-  Image<float> depth(kWidth, kHeight, 2.0F);
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  Image<float> depth(kAdaptiveMeshWidth, kAdaptiveMeshHeight, 2.0F);
+  for (int y = 0; y < kAdaptiveMeshHeight; ++y) {
+    for (int x = 0; x < kAdaptiveMeshWidth; ++x) {
       const float from_middle = static_cast<float>(std::abs(x - 40));
       if (from_middle < 12) depth.at(x, y) = 2.0F - 0.03F * (12 - from_middle);
     }
   }
   const auto triangles = triangles_of(depth);
-  EXPECT_EQ(cells_covered(triangles), (kWidth - 1) * (kHeight - 1));
+  EXPECT_EQ(cells_covered(triangles), (kAdaptiveMeshWidth - 1) * (kAdaptiveMeshHeight - 1));
   EXPECT_GT(triangles.size(), 24U);
-  EXPECT_LT(triangles.size(), 2U * (kWidth - 1) * (kHeight - 1) / 3);
+  EXPECT_LT(triangles.size(), 2U * (kAdaptiveMeshWidth - 1) * (kAdaptiveMeshHeight - 1) / 3);
 }
 
 TEST_F(AdaptiveMeshTest, nothing_spans_a_break_or_a_missing_reading) {
-  Image<float> depth(kWidth, kHeight, 3.0F);
-  for (int y = 0; y < kHeight; ++y) {
+  Image<float> depth(kAdaptiveMeshWidth, kAdaptiveMeshHeight, 3.0F);
+  for (int y = 0; y < kAdaptiveMeshHeight; ++y) {
     for (int x = 0; x < 20; ++x) depth.at(x, y) = 1.5F;
   }
   depth.at(50, 30) = 0;
@@ -112,27 +112,28 @@ TEST_F(AdaptiveMeshTest, nothing_spans_a_break_or_a_missing_reading) {
 }
 
 TEST_F(AdaptiveMeshTest, what_lies_on_the_covering_surface_is_left_out) {
-  const Image<float> wall(kWidth, kHeight, 3.0F);
+  const Image<float> wall(kAdaptiveMeshWidth, kAdaptiveMeshHeight, 3.0F);
   Image<float> live = wall;
-  for (int y = 0; y < kHeight; ++y) {
+  for (int y = 0; y < kAdaptiveMeshHeight; ++y) {
     for (int x = 33; x < 40; ++x) live.at(x, y) = y < 20 ? 1.5F : 0;  // a person; then no readings
   }
   const int covered = cells_covered(triangles_of(wall, &live));
-  EXPECT_GE(covered, 6 * (kHeight - 1));
-  EXPECT_LE(covered, 16 * (kHeight - 1)) << "no more than the nodes that he stands before";
+  EXPECT_GE(covered, 6 * (kAdaptiveMeshHeight - 1));
+  EXPECT_LE(covered, 16 * (kAdaptiveMeshHeight - 1))
+      << "no more than the nodes that he stands before";
   EXPECT_TRUE(triangles_of(wall, &wall).empty());
 }
 
 TEST_F(AdaptiveMeshTest, the_same_surface_gives_the_same_triangles) {
-  Image<float> depth(kWidth, kHeight);
-  for (int i = 0; i < kWidth * kHeight; ++i) {
+  Image<float> depth(kAdaptiveMeshWidth, kAdaptiveMeshHeight);
+  for (int i = 0; i < kAdaptiveMeshWidth * kAdaptiveMeshHeight; ++i) {
     depth.data()[i] = 2 + 0.01F * static_cast<float>(i * 7919 % 13);
   }
   EXPECT_EQ(triangles_of(depth), triangles_of(depth));
 }
 
 TEST_F(AdaptiveMeshTest, without_readings_there_is_nothing) {
-  EXPECT_TRUE(triangles_of(Image<float>(kWidth, kHeight, 0.0F)).empty());
+  EXPECT_TRUE(triangles_of(Image<float>(kAdaptiveMeshWidth, kAdaptiveMeshHeight, 0.0F)).empty());
 }
 
 }  // namespace

@@ -8,14 +8,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-const CameraIntrinsics kLens = pinhole(64, 48, 60);
-const Vector3d kEye(0, 1.5, 0), kAhead(0, 1.5, -2);
-const RigidTransform kPose = world_from_optical_looking_at(kEye, kAhead);
-constexpr int kMiddleX = 32, kMiddleY = 24;
+const CameraIntrinsics kBackgroundModelLens = pinhole(64, 48, 60);
+const Vector3d kBackgroundModelEye(0, 1.5, 0), kBackgroundModelAhead(0, 1.5, -2);
+const RigidTransform kBackgroundModelPose =
+    world_from_optical_looking_at(kBackgroundModelEye, kBackgroundModelAhead);
+constexpr int kBackgroundModelMiddleX = 32, kBackgroundModelMiddleY = 24;
 
 /// A red wall at 3 m whose middle is hidden by a blue person at 1.5 m.
 SensorPictures with_somebody() {
-  SensorPictures pictures = wall(kLens, 3000, kRed);
+  SensorPictures pictures = wall(kBackgroundModelLens, 3000, kRed);
   fill_box<std::uint16_t>(pictures.depth_mm, 20, 0, 44, 48, 1500);
   fill_box(pictures.color, 20, 0, 44, 48, kBlue);
   return pictures;
@@ -23,7 +24,7 @@ SensorPictures with_somebody() {
 
 /// The same wall without readings in its middle.
 SensorPictures with_a_gap() {
-  SensorPictures pictures = wall(kLens, 3000, kRed);
+  SensorPictures pictures = wall(kBackgroundModelLens, 3000, kRed);
   fill_box<std::uint16_t>(pictures.depth_mm, 20, 0, 44, 48, 0);
   fill_box<std::uint8_t>(pictures.seen, 20, 0, 44, 48, 0);
   return pictures;
@@ -32,27 +33,29 @@ SensorPictures with_a_gap() {
 class BackgroundModelTest : public RoomTest {
  protected:
   void show(const SensorPictures& pictures, int times = 1) {
-    for (int i = 0; i < times; ++i) add(kFirst, kLens, kPose, pictures);
+    for (int i = 0; i < times; ++i)
+      add(kFirst, kBackgroundModelLens, kBackgroundModelPose, pictures);
   }
   Rgb8 middle() {
-    return draw(eye_of(kLens, kPose), RenderMode::kBlend).color.at(kMiddleX, kMiddleY);
+    return draw(eye_of(kBackgroundModelLens, kBackgroundModelPose), RenderMode::kBlend)
+        .color.at(kBackgroundModelMiddleX, kBackgroundModelMiddleY);
   }
 };
 
 TEST_F(BackgroundModelTest, a_wall_that_was_seen_before_is_there_when_it_is_not_read) {
-  show(wall(kLens, 3000, kRed), 10);
+  show(wall(kBackgroundModelLens, 3000, kRed), 10);
   show(with_a_gap());
   EXPECT_EQ(middle(), kRed);
 }
 
 TEST_F(BackgroundModelTest, what_was_read_a_few_times_is_not_background) {
-  show(wall(kLens, 3000, kRed), 3);
+  show(wall(kBackgroundModelLens, 3000, kRed), 3);
   show(with_a_gap());
   EXPECT_EQ(middle(), kNothing);
 }
 
 TEST_F(BackgroundModelTest, somebody_hides_the_background_and_it_is_there_when_he_has_gone) {
-  show(wall(kLens, 3000, kRed), 10);
+  show(wall(kBackgroundModelLens, 3000, kRed), 10);
   show(with_somebody(), 30);
   EXPECT_EQ(middle(), kBlue);
   show(with_a_gap());
@@ -61,14 +64,14 @@ TEST_F(BackgroundModelTest, somebody_hides_the_background_and_it_is_there_when_h
 
 TEST_F(BackgroundModelTest, who_stood_there_from_the_beginning_is_forgotten_when_he_goes) {
   show(with_somebody(), 10);
-  show(wall(kLens, 3000, kRed), 12);
+  show(wall(kBackgroundModelLens, 3000, kRed), 12);
   show(with_a_gap());
   EXPECT_EQ(middle(), kRed);
 }
 
 TEST_F(BackgroundModelTest, background_gives_way_at_once_where_its_sensor_looks_through_it) {
   show(with_somebody(), 10);
-  show(wall(kLens, 3000, kRed));
+  show(wall(kBackgroundModelLens, 3000, kRed));
   EXPECT_EQ(middle(), kRed);
 }
 
@@ -78,21 +81,21 @@ TEST_F(BackgroundModelTest, background_gives_way_where_another_sensor_looks_thro
   EXPECT_EQ(middle(), kBlue) << "remembered";
   const RigidTransform aside =
       world_from_optical_looking_at(Vector3d(1, 1.5, 0), Vector3d(0, 1.5, -3));
-  add(kSecond, kLens, aside, wall(kLens, 3100, kGreen));
+  add(kSecond, kBackgroundModelLens, aside, wall(kBackgroundModelLens, 3100, kGreen));
   show(with_a_gap());
   EXPECT_NE(middle(), kBlue);
 }
 
 TEST_F(BackgroundModelTest, noise_of_what_stands_still_is_averaged_out) {
   const auto shown_depth = [&](std::uint16_t depth_mm) {
-    show(wall(kLens, depth_mm, kRed));
-    const ViewCamera camera = eye_of(kLens, kPose);
+    show(wall(kBackgroundModelLens, depth_mm, kRed));
+    const ViewCamera camera = eye_of(kBackgroundModelLens, kBackgroundModelPose);
     const auto target = OffscreenTarget::create(camera.width, camera.height);
     EXPECT_TRUE(room_->draw(camera, *target, RenderMode::kBlend).ok());
-    return target->read_depth_m(camera).at(kMiddleX, kMiddleY);
+    return target->read_depth_m(camera).at(kBackgroundModelMiddleX, kBackgroundModelMiddleY);
   };
   for (int i = 0; i < 40; ++i)
-    show(wall(kLens, static_cast<std::uint16_t>(i % 2 ? 2992 : 3008), kRed));
+    show(wall(kBackgroundModelLens, static_cast<std::uint16_t>(i % 2 ? 2992 : 3008), kRed));
   EXPECT_NEAR(shown_depth(3008), 3.0F, 0.001F);
   EXPECT_NEAR(shown_depth(2992), 3.0F, 0.001F);
 }
@@ -100,17 +103,20 @@ TEST_F(BackgroundModelTest, noise_of_what_stands_still_is_averaged_out) {
 TEST_F(BackgroundModelTest,
        a_sensor_that_sends_nothing_new_looks_the_same_however_often_it_is_drawn) {
   show(with_a_gap());
-  const ColorImage before = draw(eye_of(kLens, kPose), RenderMode::kBlend).color;
+  const ColorImage before =
+      draw(eye_of(kBackgroundModelLens, kBackgroundModelPose), RenderMode::kBlend).color;
   for (int i = 0; i < 4; ++i) {
-    ASSERT_TRUE(room_->set_sensor(kFirst, kLens, RigidTransform{}).ok());
-    ASSERT_TRUE(room_->set_sensor(kFirst, kLens, kPose).ok());
-    EXPECT_EQ(draw(eye_of(kLens, kPose), RenderMode::kBlend).color, before) << i;
+    ASSERT_TRUE(room_->set_sensor(kFirst, kBackgroundModelLens, RigidTransform{}).ok());
+    ASSERT_TRUE(room_->set_sensor(kFirst, kBackgroundModelLens, kBackgroundModelPose).ok());
+    EXPECT_EQ(draw(eye_of(kBackgroundModelLens, kBackgroundModelPose), RenderMode::kBlend).color,
+              before)
+        << i;
   }
 }
 
 TEST_F(BackgroundModelTest, a_light_that_is_switched_on_is_seen_at_once) {
-  show(wall(kLens, 3000, {80, 80, 80}), 20);
-  show(wall(kLens, 3000, {160, 160, 160}));
+  show(wall(kBackgroundModelLens, 3000, {80, 80, 80}), 20);
+  show(wall(kBackgroundModelLens, 3000, {160, 160, 160}));
   EXPECT_EQ(middle(), (Rgb8{160, 160, 160}));
 }
 

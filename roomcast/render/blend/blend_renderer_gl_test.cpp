@@ -7,16 +7,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-const CameraIntrinsics kLens = pinhole(64, 48, 60);
+const CameraIntrinsics kBlendRendererLens = pinhole(64, 48, 60);
 const CameraIntrinsics kWideLens = pinhole(192, 144, 60);
-const Vector3d kEye(0, 1.5, 0), kAhead(0, 1.5, -2);
-const RigidTransform kPose = world_from_optical_looking_at(kEye, kAhead);
+const Vector3d kBlendRendererEye(0, 1.5, 0), kBlendRendererAhead(0, 1.5, -2);
+const RigidTransform kBlendRendererPose =
+    world_from_optical_looking_at(kBlendRendererEye, kBlendRendererAhead);
 
 class BlendTest : public RoomTest {
  protected:
   Rgb8 middle_from(const Vector3d& eye) {
-    const RigidTransform pose = world_from_optical_looking_at(eye, kAhead);
-    return draw(eye_of(kLens, pose), RenderMode::kBlend).color.at(32, 24);
+    const RigidTransform pose = world_from_optical_looking_at(eye, kBlendRendererAhead);
+    return draw(eye_of(kBlendRendererLens, pose), RenderMode::kBlend).color.at(32, 24);
   }
   void see(Unseen unseen) {
     options_.unseen = unseen;
@@ -26,35 +27,40 @@ class BlendTest : public RoomTest {
 
 TEST_F(BlendTest, who_sees_a_surface_as_the_eye_does_counts_more) {
   // Both sensors see the same spot from 2 m.
-  const RigidTransform aside =
-      world_from_optical_looking_at(kAhead + Vector3d(1.6, 0, 1.2), kAhead);
-  SensorPictures green = wall(kLens, 2000, {120, 200, 120});
-  add(kFirst, kLens, kPose, wall(kLens, 2000, {200, 120, 120}));
-  add(kSecond, kLens, aside, green);
-  const Rgb8 from_first = middle_from(kEye);
-  const Rgb8 from_second = middle_from(kAhead + Vector3d(1.6, 0, 1.2));
+  const RigidTransform aside = world_from_optical_looking_at(
+      kBlendRendererAhead + Vector3d(1.6, 0, 1.2), kBlendRendererAhead);
+  SensorPictures green = wall(kBlendRendererLens, 2000, {120, 200, 120});
+  add(kFirst, kBlendRendererLens, kBlendRendererPose,
+      wall(kBlendRendererLens, 2000, {200, 120, 120}));
+  add(kSecond, kBlendRendererLens, aside, green);
+  const Rgb8 from_first = middle_from(kBlendRendererEye);
+  const Rgb8 from_second = middle_from(kBlendRendererAhead + Vector3d(1.6, 0, 1.2));
   EXPECT_GT(from_first.r, from_first.g);
   EXPECT_GT(from_second.g, from_second.r);
 }
 
 TEST_F(BlendTest, surfaces_two_centimetres_apart_are_mixed_and_half_a_metre_apart_are_not) {
-  add(kFirst, kLens, kPose, wall(kLens, 2000, {200, 100, 100}));
-  add(kSecond, kLens, kPose, wall(kLens, 2500, {100, 100, 200}));
-  EXPECT_EQ(middle_from(kEye), (Rgb8{200, 100, 100}));
-  add(kSecond, kLens, kPose, wall(kLens, 2020, {100, 100, 200}));
-  const Rgb8 mixed = middle_from(kEye);
+  add(kFirst, kBlendRendererLens, kBlendRendererPose,
+      wall(kBlendRendererLens, 2000, {200, 100, 100}));
+  add(kSecond, kBlendRendererLens, kBlendRendererPose,
+      wall(kBlendRendererLens, 2500, {100, 100, 200}));
+  EXPECT_EQ(middle_from(kBlendRendererEye), (Rgb8{200, 100, 100}));
+  add(kSecond, kBlendRendererLens, kBlendRendererPose,
+      wall(kBlendRendererLens, 2020, {100, 100, 200}));
+  const Rgb8 mixed = middle_from(kBlendRendererEye);
   EXPECT_GT(mixed.r, 120);
   EXPECT_GT(mixed.b, 120);
 }
 
 TEST_F(BlendTest, colours_twice_as_fine_as_depth_are_drawn_as_fine) {
-  SensorPictures pictures = wall(kLens, 2000, kRed);
-  pictures.color = ColorImage(2 * kLens.width, 2 * kLens.height, kRed);
+  SensorPictures pictures = wall(kBlendRendererLens, 2000, kRed);
+  pictures.color = ColorImage(2 * kBlendRendererLens.width, 2 * kBlendRendererLens.height, kRed);
   for (int x = 0; x < pictures.color.width(); x += 2) {  // stripes finer than a depth pixel
     fill_box(pictures.color, x, 0, x + 1, pictures.color.height(), kBlue);
   }
-  add(kFirst, kLens, kPose, pictures);
-  const ColorImage drawn = draw(eye_of(pinhole(128, 96, 120), kPose), RenderMode::kBlend).color;
+  add(kFirst, kBlendRendererLens, kBlendRendererPose, pictures);
+  const ColorImage drawn =
+      draw(eye_of(pinhole(128, 96, 120), kBlendRendererPose), RenderMode::kBlend).color;
   for (int x = 40; x < 80; ++x) {
     const Rgb8 color = drawn.at(x, 48);
     EXPECT_EQ(color.b > color.r, x % 2 == 0) << x;
@@ -62,10 +68,10 @@ TEST_F(BlendTest, colours_twice_as_fine_as_depth_are_drawn_as_fine) {
 }
 
 TEST_F(BlendTest, a_hole_takes_the_colour_around_it_and_the_outside_does_not) {
-  SensorPictures pictures = wall(kLens, 2000, kRed);
+  SensorPictures pictures = wall(kBlendRendererLens, 2000, kRed);
   fill_box<std::uint16_t>(pictures.depth_mm, 26, 18, 38, 30, 0);
-  add(kFirst, kLens, kPose, pictures);
-  const auto wide = [&] { return draw(eye_of(kWideLens, kPose), RenderMode::kBlend); };
+  add(kFirst, kBlendRendererLens, kBlendRendererPose, pictures);
+  const auto wide = [&] { return draw(eye_of(kWideLens, kBlendRendererPose), RenderMode::kBlend); };
   const int middle_x = 96, middle_y = 72;
   EXPECT_EQ(wide().color.at(middle_x, middle_y), kNothing);
   see(Unseen::kHolesFilled);
@@ -79,21 +85,21 @@ TEST_F(BlendTest, a_hole_takes_the_colour_around_it_and_the_outside_does_not) {
 
 TEST_F(BlendTest, an_empty_room_is_the_background) {
   see(Unseen::kSurroundings);
-  EXPECT_EQ(middle_from(kEye), kNothing);
+  EXPECT_EQ(middle_from(kBlendRendererEye), kNothing);
 }
 
 TEST_F(BlendTest, depth_is_that_of_the_surface) {
-  add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
-  const ViewCamera camera = eye_of(kLens, kPose);
+  add(kFirst, kBlendRendererLens, kBlendRendererPose, wall(kBlendRendererLens, 2000, kRed));
+  const ViewCamera camera = eye_of(kBlendRendererLens, kBlendRendererPose);
   const auto target = OffscreenTarget::create(camera.width, camera.height);
   ASSERT_TRUE(room_->draw(camera, *target, RenderMode::kBlend).ok());
   EXPECT_NEAR(target->read_depth_m(camera).at(20, 20), 2, 0.002);
 }
 
 TEST_F(BlendTest, the_same_room_gives_the_same_picture) {
-  add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
-  add(kSecond, kLens, kPose, wall(kLens, 2010, kBlue));
-  const ViewCamera camera = eye_of(kWideLens, kPose);
+  add(kFirst, kBlendRendererLens, kBlendRendererPose, wall(kBlendRendererLens, 2000, kRed));
+  add(kSecond, kBlendRendererLens, kBlendRendererPose, wall(kBlendRendererLens, 2010, kBlue));
+  const ViewCamera camera = eye_of(kWideLens, kBlendRendererPose);
   EXPECT_EQ(draw(camera, RenderMode::kBlend).color, draw(camera, RenderMode::kBlend).color);
 }
 

@@ -6,7 +6,7 @@
 namespace roomcast::render {
 namespace {
 
-const CameraIntrinsics kLens = pinhole(40, 30, 40);
+const CameraIntrinsics kCleanSurfaceLens = pinhole(40, 30, 40);
 
 class CleanSurfaceTest : public GlTest {
  protected:
@@ -16,15 +16,16 @@ class CleanSurfaceTest : public GlTest {
 
   /// Cleans a surface of this depth whose colours were all seen.
   Cleaned clean(const Image<float>& depth_m) {
-    Result<SensorSurface> sensor = SensorSurface::create(kLens);
+    Result<SensorSurface> sensor = SensorSurface::create(kCleanSurfaceLens);
     Result<SurfaceCleaner> cleaner = SurfaceCleaner::create();
     EXPECT_TRUE(cleaner.ok()) << cleaner.error().message;
-    const SensorPictures pictures = wall(kLens, 2000, kRed);
+    const SensorPictures pictures = wall(kCleanSurfaceLens, 2000, kRed);
     EXPECT_TRUE(sensor->upload(pictures.depth_mm, pictures.color, pictures.seen).ok());
-    CleanSurface surface(kLens);
-    glTextureSubImage2D(surface.depth_m.name(), 0, 0, 0, kLens.width, kLens.height, GL_RED,
-                        GL_FLOAT, depth_m.data());
-    const GlTexture nothing = make_texture(GL_RGBA32F, kLens.width, kLens.height);
+    CleanSurface surface(kCleanSurfaceLens);
+    glTextureSubImage2D(surface.depth_m.name(), 0, 0, 0, kCleanSurfaceLens.width,
+                        kCleanSurfaceLens.height, GL_RED, GL_FLOAT, depth_m.data());
+    const GlTexture nothing =
+        make_texture(GL_RGBA32F, kCleanSurfaceLens.width, kCleanSurfaceLens.height);
     glClearTexImage(nothing.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
     cleaner->repair(SurfaceCleaner::Shows::kNewest, surface);
     cleaner->finish(*sensor, {nothing, nothing, sensor->seen()}, SurfaceCleaner::Shows::kNewest, {},
@@ -33,7 +34,7 @@ class CleanSurfaceTest : public GlTest {
   }
 
   static Image<float> read(const GlTexture& texture) {
-    Image<float> image(kLens.width, kLens.height);
+    Image<float> image(kCleanSurfaceLens.width, kCleanSurfaceLens.height);
     glGetTextureImage(texture.name(), 0, GL_RED, GL_FLOAT,
                       static_cast<GLsizei>(image.view().pixel_count() * sizeof(float)),
                       image.data());
@@ -42,7 +43,7 @@ class CleanSurfaceTest : public GlTest {
 };
 
 TEST_F(CleanSurfaceTest, a_missing_reading_is_filled_and_a_large_gap_is_not) {
-  Image<float> depth(kLens.width, kLens.height, 2.0F);
+  Image<float> depth(kCleanSurfaceLens.width, kCleanSurfaceLens.height, 2.0F);
   depth.at(10, 10) = 0;
   fill_box(depth, 20, 10, 30, 20, 0.0F);
   const Cleaned cleaned = clean(depth);
@@ -51,14 +52,14 @@ TEST_F(CleanSurfaceTest, a_missing_reading_is_filled_and_a_large_gap_is_not) {
 }
 
 TEST_F(CleanSurfaceTest, nothing_is_filled_between_foreground_and_background) {
-  Image<float> depth(kLens.width, kLens.height, 3.0F);
+  Image<float> depth(kCleanSurfaceLens.width, kCleanSurfaceLens.height, 3.0F);
   fill_box(depth, 0, 0, 20, 30, 1.5F);
   fill_box(depth, 20, 0, 21, 30, 0.0F);
   EXPECT_EQ(clean(depth).depth_m.at(20, 15), 0);
 }
 
 TEST_F(CleanSurfaceTest, what_a_sensor_loses_at_the_rim_of_a_thing_is_put_back) {
-  Image<float> depth(kLens.width, kLens.height, 0.0F);
+  Image<float> depth(kCleanSurfaceLens.width, kCleanSurfaceLens.height, 0.0F);
   fill_box(depth, 10, 0, 20, 30, 1.5F);
   const Cleaned cleaned = clean(depth);
   EXPECT_NEAR(cleaned.depth_m.at(21, 15), 1.5, 1e-3);
@@ -66,9 +67,9 @@ TEST_F(CleanSurfaceTest, what_a_sensor_loses_at_the_rim_of_a_thing_is_put_back) 
 }
 
 TEST_F(CleanSurfaceTest, noise_is_smoothed_and_a_step_stays_sharp) {
-  Image<float> depth(kLens.width, kLens.height);
-  for (int y = 0; y < kLens.height; ++y) {
-    for (int x = 0; x < kLens.width; ++x) {
+  Image<float> depth(kCleanSurfaceLens.width, kCleanSurfaceLens.height);
+  for (int y = 0; y < kCleanSurfaceLens.height; ++y) {
+    for (int x = 0; x < kCleanSurfaceLens.width; ++x) {
       depth.at(x, y) = (x < 20 ? 1.5F : 3.0F) + ((x + y) % 2 ? 0.003F : -0.003F);
     }
   }
@@ -82,12 +83,13 @@ TEST_F(CleanSurfaceTest, quality_falls_with_distance_slant_and_towards_edges) {
   const auto quality_at = [&](const Image<float>& depth, int x) {
     return clean(depth).quality.at(x, 15);
   };
-  const Image<float> near(kLens.width, kLens.height, 1.0F), far(kLens.width, kLens.height, 2.0F);
+  const Image<float> near(kCleanSurfaceLens.width, kCleanSurfaceLens.height, 1.0F),
+      far(kCleanSurfaceLens.width, kCleanSurfaceLens.height, 2.0F);
   EXPECT_NEAR(quality_at(near, 20) / quality_at(far, 20), 4, 0.05);
   EXPECT_LT(quality_at(far, 2), 0.7F * quality_at(far, 20)) << "beside the picture's border";
-  Image<float> slanted(kLens.width, kLens.height);
-  for (int i = 0; i < kLens.width * kLens.height; ++i) {
-    slanted.data()[i] = 1 / (0.5F + 0.012F * static_cast<float>(i % kLens.width - 20));
+  Image<float> slanted(kCleanSurfaceLens.width, kCleanSurfaceLens.height);
+  for (int i = 0; i < kCleanSurfaceLens.width * kCleanSurfaceLens.height; ++i) {
+    slanted.data()[i] = 1 / (0.5F + 0.012F * static_cast<float>(i % kCleanSurfaceLens.width - 20));
   }
   EXPECT_LT(quality_at(slanted, 20), 0.8F * quality_at(far, 20));
 }

@@ -8,39 +8,42 @@ namespace {
 
 using Eigen::Vector3d;
 
-const CameraIntrinsics kLens = pinhole(64, 48, 60);
-const RigidTransform kPose =
+const CameraIntrinsics kDepthCompletionLens = pinhole(64, 48, 60);
+const RigidTransform kDepthCompletionPose =
     world_from_optical_looking_at(Vector3d(0, 1.5, 0), Vector3d(0, 1.5, -3));
 constexpr Rgb8 kWall = {190, 180, 170}, kDark = {20, 22, 25};
-constexpr int kMiddleX = 32, kMiddleY = 24;
+constexpr int kDepthCompletionMiddleX = 32, kDepthCompletionMiddleY = 24;
 
 class DepthCompletionTest : public RoomTest {
  protected:
   void SetUp() override {
     RoomTest::SetUp();
-    for (int i = 0; i < 40; ++i) add(kFirst, kLens, kPose, wall(kLens, 3000, kWall));
+    for (int i = 0; i < 40; ++i)
+      add(kFirst, kDepthCompletionLens, kDepthCompletionPose,
+          wall(kDepthCompletionLens, 3000, kWall));
   }
 
   /// The wall with a box in the middle without readings, in which the colour camera sees `seen`.
   static SensorPictures without_readings(Rgb8 seen, int half_px = 10) {
-    SensorPictures pictures = wall(kLens, 3000, kWall);
-    const int x0 = kMiddleX - half_px, x1 = kMiddleX + half_px;
-    const int y0 = kMiddleY - half_px, y1 = kMiddleY + half_px;
+    SensorPictures pictures = wall(kDepthCompletionLens, 3000, kWall);
+    const int x0 = kDepthCompletionMiddleX - half_px, x1 = kDepthCompletionMiddleX + half_px;
+    const int y0 = kDepthCompletionMiddleY - half_px, y1 = kDepthCompletionMiddleY + half_px;
     fill_box<std::uint16_t>(pictures.depth_mm, x0, y0, x1, y1, 0);
     fill_box<std::uint8_t>(pictures.seen, x0, y0, x1, y1, 0);
     fill_box(pictures.color, x0, y0, x1, y1, seen);
     return pictures;
   }
   Rgb8 middle(const SensorPictures& pictures, RenderMode mode = RenderMode::kBlend) {
-    add(kFirst, kLens, kPose, pictures);
-    return draw(eye_of(kLens, kPose), mode).color.at(kMiddleX, kMiddleY);
+    add(kFirst, kDepthCompletionLens, kDepthCompletionPose, pictures);
+    return draw(eye_of(kDepthCompletionLens, kDepthCompletionPose), mode)
+        .color.at(kDepthCompletionMiddleX, kDepthCompletionMiddleY);
   }
   double middle_m(const SensorPictures& pictures) {
-    add(kFirst, kLens, kPose, pictures);
-    const ViewCamera eye = eye_of(kLens, kPose);
+    add(kFirst, kDepthCompletionLens, kDepthCompletionPose, pictures);
+    const ViewCamera eye = eye_of(kDepthCompletionLens, kDepthCompletionPose);
     const auto target = OffscreenTarget::create(eye.width, eye.height);
     EXPECT_TRUE(room_->draw(eye, *target, RenderMode::kBlend).ok());
-    return target->read_depth_m(eye).at(kMiddleX, kMiddleY);
+    return target->read_depth_m(eye).at(kDepthCompletionMiddleX, kDepthCompletionMiddleY);
   }
 };
 
@@ -72,7 +75,7 @@ TEST_F(DepthCompletionTest, a_few_pixels_are_no_thing) {
 TEST_F(DepthCompletionTest, a_thing_hangs_on_the_wall_or_is_as_near_as_its_frame) {
   SensorPictures pictures = without_readings(kDark);
   EXPECT_NEAR(middle_m(pictures), 3, 0.05);
-  SensorPictures framed = wall(kLens, 3000, kWall);
+  SensorPictures framed = wall(kDepthCompletionLens, 3000, kWall);
   fill_box<std::uint16_t>(framed.depth_mm, 20, 12, 44, 36, 1800);
   fill_box<std::uint16_t>(framed.depth_mm, 23, 15, 41, 33, 0);
   fill_box<std::uint8_t>(framed.seen, 23, 15, 41, 33, 0);
@@ -82,7 +85,8 @@ TEST_F(DepthCompletionTest, a_thing_hangs_on_the_wall_or_is_as_near_as_its_frame
 
 TEST_F(DepthCompletionTest, where_readings_always_came_and_went_the_wall_stays) {
   for (int i = 0; i < 60; ++i) {
-    add(kFirst, kLens, kPose, i % 2 == 0 ? without_readings(kWall) : wall(kLens, 3000, kWall));
+    add(kFirst, kDepthCompletionLens, kDepthCompletionPose,
+        i % 2 == 0 ? without_readings(kWall) : wall(kDepthCompletionLens, 3000, kWall));
   }
   EXPECT_NEAR(middle(without_readings(kDark)).r, kWall.r, 2);
 }

@@ -9,9 +9,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-const CameraIntrinsics kLens = pinhole(64, 48, 60);
-const Vector3d kEye(0, 1.5, 0), kAhead(0, 1.5, -2);
-const RigidTransform kPose = world_from_optical_looking_at(kEye, kAhead);
+const CameraIntrinsics kPointRendererLens = pinhole(64, 48, 60);
+const Vector3d kPointRendererEye(0, 1.5, 0), kPointRendererAhead(0, 1.5, -2);
+const RigidTransform kPointRendererPose =
+    world_from_optical_looking_at(kPointRendererEye, kPointRendererAhead);
 
 using PointTest = RoomTest;
 
@@ -34,18 +35,19 @@ void expect_red_but_at_the_border(const Picture& picture, int point_px) {
 }
 
 TEST_F(PointTest, a_wall_has_no_holes_when_one_goes_nearer) {
-  add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
+  add(kFirst, kPointRendererLens, kPointRendererPose, wall(kPointRendererLens, 2000, kRed));
   for (const double distance_m : {1.5, 1.0, 0.4}) {
-    const RigidTransform nearer =
-        world_from_optical_looking_at(kAhead + Vector3d(0, 0, distance_m), kAhead);
-    const Picture picture = draw(eye_of(kLens, nearer), RenderMode::kSplats);
+    const RigidTransform nearer = world_from_optical_looking_at(
+        kPointRendererAhead + Vector3d(0, 0, distance_m), kPointRendererAhead);
+    const Picture picture = draw(eye_of(kPointRendererLens, nearer), RenderMode::kSplats);
     expect_red_but_at_the_border(picture, static_cast<int>(std::ceil(2 / distance_m)));
   }
 }
 
 TEST_F(PointTest, a_wall_seen_at_45_degrees_has_no_holes) {
-  add(kFirst, kLens, kPose, wall(kLens, 2000, kRed));
-  const RigidTransform aside = world_from_optical_looking_at(kAhead + Vector3d(1, 0, 1), kAhead);
+  add(kFirst, kPointRendererLens, kPointRendererPose, wall(kPointRendererLens, 2000, kRed));
+  const RigidTransform aside =
+      world_from_optical_looking_at(kPointRendererAhead + Vector3d(1, 0, 1), kPointRendererAhead);
   const Picture picture = draw(eye_of(pinhole(32, 24, 60), aside), RenderMode::kSplats);
   expect_red_but_at_the_border(picture, 2);
 }
@@ -53,42 +55,47 @@ TEST_F(PointTest, a_wall_seen_at_45_degrees_has_no_holes) {
 // The sensor sees the wall at 50 degrees: its points are 1.6 times farther apart than on a wall
 // that faces the sensor.
 TEST_F(PointTest, a_wall_that_its_sensor_sees_at_a_slant_has_no_holes) {
-  SensorPictures pictures = wall(kLens, 0, kRed);
+  SensorPictures pictures = wall(kPointRendererLens, 0, kRed);
   constexpr double kStep = 1.02;
-  for (int x = 0; x < kLens.width; ++x) {
+  for (int x = 0; x < kPointRendererLens.width; ++x) {
     const double depth_mm = 1000 * std::pow(kStep, x);
-    fill_box(pictures.depth_mm, x, 0, x + 1, kLens.height, static_cast<std::uint16_t>(depth_mm));
+    fill_box(pictures.depth_mm, x, 0, x + 1, kPointRendererLens.height,
+             static_cast<std::uint16_t>(depth_mm));
   }
-  add(kFirst, kLens, kPose, pictures);
-  const double middle_m = std::pow(kStep, kLens.cx);
-  const Vector3d middle = kEye - Vector3d(0, 0, middle_m);
-  const Vector3d normal = Vector3d((kStep - 1) * kLens.fx, 0, 1).normalized();
+  add(kFirst, kPointRendererLens, kPointRendererPose, pictures);
+  const double middle_m = std::pow(kStep, kPointRendererLens.cx);
+  const Vector3d middle = kPointRendererEye - Vector3d(0, 0, middle_m);
+  const Vector3d normal = Vector3d((kStep - 1) * kPointRendererLens.fx, 0, 1).normalized();
   const RigidTransform facing = world_from_optical_looking_at(middle + middle_m * normal, middle);
-  const Picture picture = draw(eye_of(pinhole(64, 48, 4 * kLens.fx), facing), RenderMode::kSplats);
+  const Picture picture =
+      draw(eye_of(pinhole(64, 48, 4 * kPointRendererLens.fx), facing), RenderMode::kSplats);
   EXPECT_EQ(picture.color, ColorImage(64, 48, kRed));
 }
 
 TEST_F(PointTest, a_lone_reading_is_drawn_only_when_it_has_a_color) {
-  SensorPictures pictures = wall(kLens, 3000, kRed);
+  SensorPictures pictures = wall(kPointRendererLens, 3000, kRed);
   pictures.depth_mm.at(20, 24) = 1000;
   pictures.seen.at(20, 24) = 0;
   pictures.depth_mm.at(40, 24) = 1000;
   pictures.color.at(40, 24) = kBlue;
-  add(kFirst, kLens, kPose, pictures);
-  const ColorImage picture = draw(eye_of(kLens, kPose), RenderMode::kSplats).color;
+  add(kFirst, kPointRendererLens, kPointRendererPose, pictures);
+  const ColorImage picture =
+      draw(eye_of(kPointRendererLens, kPointRendererPose), RenderMode::kSplats).color;
   EXPECT_EQ(picture.at(20, 24), kNothing);
   EXPECT_EQ(picture.at(40, 24), kBlue);
 }
 
 TEST_F(PointTest, a_point_is_as_large_as_its_depth_pixel_on_the_surface) {
-  SensorPictures pictures = wall(kLens, 0, kRed);
+  SensorPictures pictures = wall(kPointRendererLens, 0, kRed);
   pictures.depth_mm.at(32, 24) = 2000;
-  add(kFirst, kLens, kPose, pictures);
+  add(kFirst, kPointRendererLens, kPointRendererPose, pictures);
   const CameraIntrinsics fine = pinhole(640, 480, 600);  // ten pixels for each of the sensor's
   const double overlap = 1.2;
-  EXPECT_NEAR(width_drawn(draw(eye_of(fine, kPose), RenderMode::kSplats)), 10 * overlap, 1);
+  EXPECT_NEAR(width_drawn(draw(eye_of(fine, kPointRendererPose), RenderMode::kSplats)),
+              10 * overlap, 1);
 
-  const RigidTransform back = world_from_optical_looking_at(Vector3d(0, 1.5, 2), kAhead);
+  const RigidTransform back =
+      world_from_optical_looking_at(Vector3d(0, 1.5, 2), kPointRendererAhead);
   EXPECT_NEAR(width_drawn(draw(eye_of(fine, back), RenderMode::kSplats)), 5 * overlap, 1);
 }
 

@@ -13,12 +13,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-const CameraIntrinsics kLens = pinhole(128, 96, 100);
-const CameraIntrinsics kEyeLens = pinhole(120, 90, 120);
+const CameraIntrinsics kEyesLens = pinhole(128, 96, 100);
+const CameraIntrinsics kEyesEyeLens = pinhole(120, 90, 120);
 const Vector3d kAhead(0, 1.5, -2.4);
 
 ViewCamera eye_at(const Vector3d& place_m, const Vector3d& target_m = kAhead) {
-  return eye_of(kEyeLens, world_from_optical_looking_at(place_m, target_m));
+  return eye_of(kEyesEyeLens, world_from_optical_looking_at(place_m, target_m));
 }
 
 Picture read_eye(const OffscreenTarget& target, int eye) {
@@ -56,11 +56,11 @@ class TwoEyes : public RoomTest, public ::testing::WithParamInterface<RenderMode
   /// would decide which one wins.
   void show(const Vector3d& place_m, SensorId id) {
     const RigidTransform pose = world_from_optical_looking_at(place_m, kAhead);
-    SensorPictures pictures = true_pictures(kLens, pose);
+    SensorPictures pictures = true_pictures(kEyesLens, pose);
     for (std::size_t i = 0; id == kSecond && i < pictures.depth_mm.view().pixel_count(); ++i) {
       pictures.depth_mm.data()[i] -= 8;
     }
-    add(id, kLens, pose, pictures);
+    add(id, kEyesLens, pose, pictures);
   }
 
   OffscreenTarget draw_both(const Eyes& eyes) {

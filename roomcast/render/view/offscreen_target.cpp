@@ -11,10 +11,6 @@
 namespace roomcast::render {
 namespace {
 
-bool legal_side(int pixels) {
-  return pixels >= 1 && pixels <= kMaxImageSide;
-}
-
 // Flips the rows: OpenGL's images begin at the bottom.
 template <class T>
 void turn_upside_down(ImageView<T> image) {
@@ -41,7 +37,7 @@ Image<T> OffscreenTarget::read_back(const GlTexture& texture, int eye, GLenum fo
 
 Result<OffscreenTarget> OffscreenTarget::create(int width, int height, int eyes) {
   ROOMCAST_ASSERT(eyes >= 1 && eyes <= kMaxEyes);
-  if (!legal_side(width) || !legal_side(height)) {
+  if (!is_legal_side(width) || !is_legal_side(height)) {
     return Error{ErrorCode::kInvalidArgument,
                  "a picture's width and height must be 1 to 8192 pixels"};
   }

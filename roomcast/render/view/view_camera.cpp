@@ -13,15 +13,15 @@ Error invalid(const char* sentence) {
   return Error{ErrorCode::kInvalidArgument, sentence};
 }
 
-bool legal_side(int pixels) {
+}  // namespace
+
+bool is_legal_side(int pixels) {
   return pixels >= 1 && pixels <= kMaxImageSide;
 }
 
-}  // namespace
-
 // The comparisons are written so that NaN fails them.
 Status ViewCamera::check() const {
-  if (!legal_side(width) || !legal_side(height)) {
+  if (!is_legal_side(width) || !is_legal_side(height)) {
     return invalid("the view's width and height must be 1 to 8192 pixels");
   }
   if (!(vertical_fov_rad > 0 && vertical_fov_rad < std::numbers::pi)) {

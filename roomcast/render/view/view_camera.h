@@ -22,6 +22,9 @@ struct ViewCamera {
   [[nodiscard]] Status check() const;
 };
 
+/// True if a picture can be so many pixels wide or high: 1..kMaxImageSide.
+[[nodiscard]] bool is_legal_side(int pixels);
+
 /// Focal length of both axes, in pixels.
 [[nodiscard]] double focal_length_px(const ViewCamera& camera);
 

@@ -9,15 +9,12 @@
 
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/viewer/capture/open_video.h"
+#include "roomcast/viewer/report/host_time_fixture.h"
 
 namespace roomcast::viewer {
 namespace {
 
 using namespace std::chrono_literals;
-
-HostTime at(nanoseconds since_start) {
-  return HostTime(1h + since_start);
-}
 
 ColorImage gray(std::uint8_t level) {
   return {4, 3, Rgb8{level, level, level}};

@@ -11,7 +11,7 @@
 namespace roomcast::viewer {
 namespace {
 
-constexpr int kSide = 200;
+constexpr int kPeopleViewSide = 200;
 constexpr Rgb8 kBackground = {20, 20, 20};
 constexpr Rgb8 kBlue = {30, 60, 240};
 
@@ -26,7 +26,7 @@ class PeopleViewTest : public render::GlTest {
     room.people.push_back({ViewerId{2}, "Ada", kBlue, client::PersonPose{}});
     room.people[0].pose->world_from_head = {Eigen::Vector3d(-1, 1, -1).asDiagonal(),
                                             {0, 1.6, -1.5}};
-    camera.width = camera.height = kSide;
+    camera.width = camera.height = kPeopleViewSide;
     camera.world_from_view.translation_m = {0, 1.6, 0};
   }
   void TearDown() override {
@@ -35,7 +35,7 @@ class PeopleViewTest : public render::GlTest {
   }
 
   ColorImage draw() {
-    auto target = render::OffscreenTarget::create(kSide, kSide);
+    auto target = render::OffscreenTarget::create(kPeopleViewSide, kPeopleViewSide);
     target->clear(kBackground);
     people->follow(room);
     people->draw(camera, *target);
@@ -50,8 +50,8 @@ class PeopleViewTest : public render::GlTest {
   Eigen::Vector2i pixel_of(const Eigen::Vector3d& world_m) const {
     const Eigen::Vector3d view_m = camera.world_from_view.inverse() * world_m;
     const double focal = render::focal_length_px(camera);
-    return {static_cast<int>(kSide / 2.0 - focal * view_m.x() / view_m.z()),
-            static_cast<int>(kSide / 2.0 + focal * view_m.y() / view_m.z())};
+    return {static_cast<int>(kPeopleViewSide / 2.0 - focal * view_m.x() / view_m.z()),
+            static_cast<int>(kPeopleViewSide / 2.0 + focal * view_m.y() / view_m.z())};
   }
 
   std::optional<PeopleView> people;
@@ -131,7 +131,7 @@ TEST_F(PeopleViewTest, the_viewer_sees_its_own_hands_and_beam_but_no_head) {
   const ColorImage picture = draw();
   const auto hand = pixel_of({-0.2, 1.5, -0.6});
   EXPECT_TRUE(is_blue(picture.at(hand.x(), hand.y())));
-  EXPECT_EQ(picture.at(kSide / 2, kSide / 2), kBackground);
+  EXPECT_EQ(picture.at(kPeopleViewSide / 2, kPeopleViewSide / 2), kBackground);
 }
 
 TEST_F(PeopleViewTest, two_eyes_see_what_each_sees_alone) {
@@ -139,7 +139,7 @@ TEST_F(PeopleViewTest, two_eyes_see_what_each_sees_alone) {
   render::ViewCamera left = camera, right = camera;
   left.world_from_view.translation_m.x() -= 0.4;  // the eyes see the head at different places
   right.world_from_view.translation_m.x() += 0.5;
-  auto both = render::OffscreenTarget::create(kSide, kSide, 2);
+  auto both = render::OffscreenTarget::create(kPeopleViewSide, kPeopleViewSide, 2);
   ASSERT_TRUE(both.ok());
   both->clear(kBackground);
   people->follow(room);
@@ -151,7 +151,7 @@ TEST_F(PeopleViewTest, two_eyes_see_what_each_sees_alone) {
     for (std::size_t i = 0; i < alone.view().pixel_count(); ++i)
       others += std::abs(alone.data()[i].g - together.data()[i].g) > 1 ? 1 : 0;
     EXPECT_LT(others, 20) << "of eye " << eye;
-    EXPECT_NE(alone, ColorImage(kSide, kSide, kBackground));
+    EXPECT_NE(alone, ColorImage(kPeopleViewSide, kPeopleViewSide, kBackground));
   }
 }
 

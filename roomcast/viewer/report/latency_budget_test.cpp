@@ -3,14 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/viewer/report/host_time_fixture.h"
+
 namespace roomcast::viewer {
 namespace {
 
 using namespace std::chrono_literals;
-
-HostTime at(nanoseconds since_start) {
-  return HostTime(1h + since_start);
-}
 
 /// Captured at 0 on a room clock that is 5 s ahead, arrived at 30 ms, decoded in 4 ms.
 client::SensorPicture picture_at(nanoseconds start) {

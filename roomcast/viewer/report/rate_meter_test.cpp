@@ -3,14 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/viewer/report/host_time_fixture.h"
+
 namespace roomcast::viewer {
 namespace {
 
 using namespace std::chrono_literals;
-
-HostTime at(nanoseconds since_start) {
-  return HostTime(1h + since_start);
-}
 
 TEST(RateMeter, is_the_current_growth_per_second) {
   RateMeter meter;
