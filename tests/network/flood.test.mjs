@@ -12,7 +12,7 @@ const addresses = 40; // 127.0.0.2 and on: a hub counts connections by address
 const ofEachAddress = 40;
 const atATime = 50;
 const releasedWithin_ms = 20_000;
-const leastGrowth_mb = 15; // with the flood
+const leastGrowth_mb = 8; // with the flood
 const mostGrowth_mb = 6; // after it
 
 function memoryOf_mb(pid) {
