@@ -35,6 +35,9 @@ def load(path="libroomcast.so.1"):
     library.roomcast_wait_frames.restype = c_void_p
     library.roomcast_wait_frames.argtypes = [c_void_p, c_int]
     library.roomcast_free_frames.argtypes = [c_void_p]
+    for count in (library.roomcast_sensor_count, library.roomcast_room_sensor_count):
+        count.restype = c_size_t
+        count.argtypes = [c_void_p]
     library.roomcast_get_sensor.argtypes = [c_void_p, c_size_t, POINTER(Sensor)]
     return library
 
@@ -45,6 +48,21 @@ def stand_at(roomcast, viewer, x, y, z):
     roomcast.roomcast_send_pose(viewer, ctypes.byref(pose), None, 0)
 
 
+def wait_for_all_sensors(roomcast, viewer, tries=100):
+    """The first pictures of some sensors come later than those of others."""
+    frames = None
+    for _ in range(tries):
+        newer = roomcast.roomcast_wait_frames(viewer, 100)
+        if not newer:
+            continue
+        if frames:
+            roomcast.roomcast_free_frames(frames)
+        frames = newer
+        if roomcast.roomcast_sensor_count(frames) == roomcast.roomcast_room_sensor_count(frames):
+            break
+    return frames
+
+
 def main(hub, library="libroomcast.so.1"):
     roomcast = load(library)
     error = ctypes.create_string_buffer(256)
@@ -53,7 +71,7 @@ def main(hub, library="libroomcast.so.1"):
     if not viewer:
         sys.exit(error.value.decode())
     stand_at(roomcast, viewer, 0.5, 1.5, 2)
-    frames = roomcast.roomcast_wait_frames(viewer, 10_000)
+    frames = wait_for_all_sensors(roomcast, viewer)
     sensor = Sensor(size=ctypes.sizeof(Sensor))
     number = 0
     while frames and roomcast.roomcast_get_sensor(frames, number, ctypes.byref(sensor)):

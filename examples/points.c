@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Receives one frame set of a room and writes its points as a PLY file.
+/* Receives pictures of all sensors of a room and writes their points as a PLY file.
  *   cc points.c $(pkg-config --cflags --libs roomcast) -o points && ./points ws://127.0.0.1:7600 room.ply */
 #include <roomcast.h>
 #include <stdio.h>
@@ -31,15 +31,17 @@ int main(int argc, char** argv) {
     return 1;
   }
   int done = 0;
-  for (int tries = 0; tries < 20 && !done; ++tries) {
-    roomcast_frames* frames = roomcast_wait_frames(viewer, 1000);
+  for (int tries = 0; tries < 100 && !done; ++tries) {
+    roomcast_frames* frames = roomcast_wait_frames(viewer, 200);
     if (!frames) continue;
+    /* The first pictures of some sensors come later than those of others. */
+    const size_t here = roomcast_sensor_count(frames), all = roomcast_room_sensor_count(frames);
     const size_t count = roomcast_get_points(frames, NULL, 0);
-    if (count > 0) {
+    if (count > 0 && (here == all || tries > 50)) {
       roomcast_point* points = malloc(count * sizeof(*points));
       roomcast_get_points(frames, points, count);
       done = write_ply(argc > 2 ? argv[2] : "room.ply", points, count);
-      printf("%zu points of %zu sensors\n", count, roomcast_sensor_count(frames));
+      printf("%zu points of %zu of %zu sensors\n", count, here, all);
       free(points);
     }
     roomcast_free_frames(frames);

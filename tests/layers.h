@@ -182,7 +182,7 @@ inline const std::vector<Layer> kLayers = {
      "client/room core geometry",
      "viewer/report"},
     {"viewer/window",
-     "core viewer/view viewer/walk"},
+     "core render/gl viewer/view viewer/walk"},
     {"viewer/panel",
      "client/room core viewer/report viewer/text viewer/view viewer/window"},
     {"viewer/xr",

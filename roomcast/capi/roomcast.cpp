@@ -232,6 +232,11 @@ size_t roomcast_sensor_count(const roomcast_frames* frames) {
   return frames->sensors.size();
 }
 
+size_t roomcast_room_sensor_count(const roomcast_frames* frames) {
+  return static_cast<std::size_t>(
+      std::ranges::count(frames->room->sensors, true, &client::RoomSensor::online));
+}
+
 int roomcast_get_sensor(const roomcast_frames* frames, size_t number, roomcast_sensor* sensor) {
   if (number >= frames->sensors.size()) return 0;
   copy_known_part(describe(frames->sensors[number]), *sensor);

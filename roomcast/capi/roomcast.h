@@ -96,11 +96,15 @@ ROOMCAST_API int roomcast_is_connected(roomcast_viewer* viewer, char* error, siz
 ROOMCAST_API int roomcast_may_record(roomcast_viewer* viewer, char* error, size_t error_size);
 ROOMCAST_API int roomcast_may_export(roomcast_viewer* viewer, char* error, size_t error_size);
 
-/* Returns the newest pictures of all sensors. Waits up to `timeout_ms` for pictures newer than
- * those of the last call. NULL: none arrived. Free the result with roomcast_free_frames. */
+/* Returns the newest pictures of all sensors that have sent any. Waits up to `timeout_ms` for
+ * pictures newer than those of the last call. NULL: none arrived. Free the result with
+ * roomcast_free_frames. */
 ROOMCAST_API roomcast_frames* roomcast_wait_frames(roomcast_viewer* viewer, int timeout_ms);
 ROOMCAST_API void roomcast_free_frames(roomcast_frames* frames);
+/* The sensors whose pictures are in `frames`, and the sensors that are sending in the room. The
+ * first is smaller while pictures of some have not arrived, above all just after connecting. */
 ROOMCAST_API size_t roomcast_sensor_count(const roomcast_frames* frames);
+ROOMCAST_API size_t roomcast_room_sensor_count(const roomcast_frames* frames);
 /* Fills `sensor`. `number` is from 0 to roomcast_sensor_count - 1. 0: there is no such sensor. */
 ROOMCAST_API int roomcast_get_sensor(const roomcast_frames* frames, size_t number,
                                      roomcast_sensor* sensor);

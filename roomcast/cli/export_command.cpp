@@ -50,8 +50,8 @@ recording::ExportFormat format_of(const std::string& name) {
 Result<std::unique_ptr<recording::SetWriter>> make_writer(const ExportOptions& options,
                                                           const recording::FrameSetReader& reader) {
   if (options.format != kFilm)
-    return recording::make_set_writer(format_of(options.format), options.out, reader.sensors(),
-                                      options.cloud);
+    return recording::make_set_writer(format_of(options.format), options.out,
+                                      {reader.sensors(), reader.began_at()}, options.cloud);
   const double end_s =
       options.to_s > 0 ? options.to_s : std::chrono::duration<double>(reader.length()).count();
   auto film = options.film.film(end_s - options.from_s);

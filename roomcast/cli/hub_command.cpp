@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <malloc.h>
@@ -28,6 +29,7 @@
 #include "roomcast/hub/federation/upstream/upstream_hub.h"
 #include "roomcast/hub/server/hub_server.h"
 #include "roomcast/net/listen_address.h"
+#include "roomcast/net/own_addresses.h"
 #include "roomcast/net/static_site.h"
 
 namespace roomcast::cli {
@@ -119,6 +121,14 @@ Status check_plan(HubPlan& plan) {
   return site ? Status() : site.error();
 }
 
+/// "All addresses" is none that another machine could use.
+void print_own_addresses(bool with_ipv6) {
+  const std::vector<std::string> own = net::own_addresses(with_ipv6);
+  if (own.empty()) return;
+  print_out("roomcast hub: from other machines, use this one's address in its place: {}\n",
+            fmt::join(own, ", "));
+}
+
 void print_where(const HubPlan& plan, std::uint16_t port) {
   const std::string& address = plan.listen.address;
   const bool v6 = address.find(':') != std::string::npos;
@@ -131,6 +141,7 @@ void print_where(const HubPlan& plan, std::uint16_t port) {
         "  --hub wss://{}#sha256={}\n",
         where, net::to_string(plan.certificate->fingerprint()));
   }
+  if (address == "0.0.0.0" || address == "::") print_own_addresses(v6);
   std::fflush(stdout);
 }
 

@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include <boost/system/system_error.hpp>
-#include <google/protobuf/stubs/logging.h>
 
 #include "roomcast/cli/print.h"
 #include "roomcast/cli/version.h"
@@ -74,9 +73,6 @@ int run_command(int argc, char** argv, std::span<const AddCommand> commands) {
 int run_program(int argc, char** argv, std::span<const AddCommand> commands) {
   keep_standard_streams();
   std::set_terminate(&end_with_reason);
-  // Of bytes that are no message, the reader of the message tells; libprotobuf would, too, in lines
-  // of its own that strangers could fill a log with.
-  google::protobuf::SetLogHandler(nullptr);
   std::signal(SIGPIPE, SIG_IGN);  // a closed socket or pipe is an error code to us, not an end
   std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow any more
   const int code = run_command(argc, argv, commands);

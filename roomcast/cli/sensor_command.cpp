@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // roomcast sensor: streams one sensor's frames into a room.
 #include <chrono>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <thread>
@@ -10,6 +11,7 @@
 #include "roomcast/cli/codec_option.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/number_option.h"
+#include "roomcast/cli/print.h"
 #include "roomcast/cli/sensor_camera_options.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stderr_log.h"
@@ -77,7 +79,11 @@ Status run_sensor(SensorCommandOptions options) {
   options.feed.stop = stop.token();
   auto feed = sensor::SensorFeed::start(std::move(*source), options.feed);
   if (!feed) return feed.error();
-  return wait_for_end(**feed, name, stop.token());
+  print_out("roomcast sensor: joined as \"{}\"\n", name);
+  std::fflush(stdout);  // for who reads a pipe or a service's journal
+  const Status status = wait_for_end(**feed, name, stop.token());
+  print_out("roomcast sensor: {} frames sent as \"{}\"\n", (*feed)->stats().frames_sent, name);
+  return status;
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // roomcast token: creates, lists and revokes tokens of a hub whose folder is on this machine. A
 // running hub picks up the change.
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "roomcast/cli/command.h"
@@ -18,6 +21,7 @@
 #include "roomcast/hub/daemon/data_folder.h"
 #include "roomcast/hub/daemon/hub_settings.h"
 #include "roomcast/hub/store/hub_store.h"
+#include "roomcast/io/private_file.h"
 
 namespace roomcast::cli {
 namespace {
@@ -25,7 +29,7 @@ namespace {
 using Json = nlohmann::json;
 
 struct TokenCommand {
-  std::string config, data, room, role, name, ttl = "8h", link, revoke;
+  std::string config, data, room, role, name, ttl = "8h", link, revoke, out;
   bool qr = false, list = false, json = false;
 };
 
@@ -34,10 +38,9 @@ Error wrong_usage(std::string sentence) {
 }
 
 /// The hub's folder, found by the same rules as the hub uses.
-Result<std::filesystem::path> find_folder(const TokenCommand& command) {
-  const auto config = hub::daemon::find_hub_config(command.config);
-  if (!config) return config.error();
-  const auto folder = hub::daemon::data_folder(command.data.empty() ? config->data : command.data);
+Result<std::filesystem::path> find_folder(const TokenCommand& command,
+                                          const hub::HubConfig& config) {
+  const auto folder = hub::daemon::data_folder(command.data.empty() ? config.data : command.data);
   if (!folder) return wrong_usage("there is no home folder; give the hub's folder with --data");
   return *folder;
 }
@@ -106,7 +109,34 @@ std::string link_of(std::string page, const std::string& fragment) {
   return page + fragment;
 }
 
-Status make_token(const TokenCommand& command, const std::filesystem::path& folder) {
+/// A room that only a running hub knows, from its --room or from other hubs, cannot be told from
+/// one whose name was mistyped: so this is no more than a warning.
+void warn_of_unknown_room(const std::string& room, const hub::HubConfig& config,
+                          hub::HubStore& store) {
+  const auto configured = hub::rooms_of(config, hub::AccessRule::kToken);
+  const auto opened = store.rooms().load();
+  const bool has_others = !config.upstream_hubs.empty() || !config.nats_servers.empty();
+  if (room == hub::kAllRooms || has_others || !configured || !opened) return;
+  std::vector<std::string> known;
+  for (const auto* rooms : {&*configured, &*opened}) {
+    for (const hub::RoomSettings& settings : *rooms) known.push_back(settings.name);
+  }
+  if (std::ranges::find(known, room) != known.end()) return;
+  print_err(
+      "roomcast token: no room \"{0}\" is in this hub's configuration, nor was one opened; it has "
+      "\"{1}\". The token holds once there is such a room: roomcast hub --room {0}\n",
+      one_line(room), one_line(fmt::format("{}", fmt::join(known, "\", \""))));
+}
+
+/// To stdout, or to a new file that only this user may read.
+Status put_token(const std::string& text, const std::string& file) {
+  if (!file.empty()) return io::write_private_file(file, text + "\n");
+  print_out("{}\n", text);
+  return {};
+}
+
+Status make_token(const TokenCommand& command, const hub::HubConfig& config,
+                  const std::filesystem::path& folder) {
   const auto request = request_of(command);
   if (!request) return request.error();
   const bool is_first = !has_secret(folder);
@@ -120,13 +150,14 @@ Status make_token(const TokenCommand& command, const std::filesystem::path& fold
         "--data {0} accepts this token\n",
         folder.string());
   }
+  warn_of_unknown_room(request->grant.room, config, **store);
   if (request->once) (*made)["link"] = link_of(command.link, (*made)["fragment"]);
-  if (command.json) {
-    print_out("{}\n", made->dump());
-    return {};
-  }
   const std::string shown = request->once ? (*made)["link"] : (*made)["token"];
-  print_out("{}\n", shown);
+  if (auto put = put_token(command.json ? made->dump() : shown, command.out); !put) {
+    (void)(*store)->revoke((*made)["id"].get<std::string>());  // nobody has it
+    return put;
+  }
+  if (command.json) return {};
   if (request->once) {
     print_err(
         "The link works once, within {}; its token is valid for {}. For a program: --token {}\n"
@@ -142,9 +173,11 @@ Status make_token(const TokenCommand& command, const std::filesystem::path& fold
 }
 
 Status run_token(const TokenCommand& command) {
-  const auto folder = find_folder(command);
+  const auto config = hub::daemon::find_hub_config(command.config);
+  if (!config) return config.error();
+  const auto folder = find_folder(command, *config);
   if (!folder) return folder.error();
-  if (!command.list && command.revoke.empty()) return make_token(command, *folder);
+  if (!command.list && command.revoke.empty()) return make_token(command, *config, *folder);
   const auto store = open_hub_store(*folder);
   if (!store) return store.error();
   return command.list ? list_tokens(**store, command.json) : (*store)->revoke(command.revoke);
@@ -167,11 +200,15 @@ void add_token_command(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command->add_option("--link", values->link,
                       "The hub's address; makes a link that works once instead of a token");
+  CLI::Option* const out = command->add_option(
+      "--out", values->out, "Write the token or link to this new file, which only you may read");
   command->add_flag("--qr", values->qr, "Also as a QR code");
-  command->add_flag("--list", values->list, "List tokens and unused codes");
-  command->add_option(
-      "--revoke", values->revoke,
-      "ID of a token or unused code to revoke; clients that joined with it are disconnected");
+  command->add_flag("--list", values->list, "List tokens and unused codes")->excludes(out);
+  command
+      ->add_option(
+          "--revoke", values->revoke,
+          "ID of a token or unused code to revoke; clients that joined with it are disconnected")
+      ->excludes(out);
   command->add_option("--config", values->config,
                       "The hub's configuration file, which names its folder");
   command->add_option("--data", values->data,
@@ -180,7 +217,7 @@ void add_token_command(CLI::App& app, Command& chosen) {
   command->add_flag("--json", values->json, "Print JSON");
   command->footer(
       "Examples:\n"
-      "  roomcast token --room lab --role sensor --name left --ttl 30d\n"
+      "  roomcast token --room lab --role sensor --name left --ttl 30d --out left.token\n"
       "  roomcast token --room lab --role viewer --link https://hub.example.org:7600 --qr\n"
       "  roomcast token --role admin --ttl 1h\n"
       "  roomcast token --list\n"

@@ -6,8 +6,9 @@
 
 namespace roomcast::cli {
 
-/// "roomcast 0.1.0 (commit 0123456789ab, wire version 1)"; the commit is "unknown" where the
-/// program was built from sources without their history.
+/// "roomcast 0.1.0 (commit 0123456789ab, wire version 1)" and a line with the kinds of cameras that
+/// were built in; the commit is "unknown" where the program was built from sources without their
+/// history.
 [[nodiscard]] std::string version_text();
 
 }  // namespace roomcast::cli

@@ -61,6 +61,12 @@ class NudgeRequest final : public HubLinkEvents {
       return answer(
           Error{ErrorCode::kNotFound, "the room has no sensor \"" + options_.sensor + "\""});
     }
+    if (entry->placement() == pb::PLACEMENT_GIVEN && !entry->moved()) {
+      return answer(Error{ErrorCode::kUnavailable,
+                          "the sensor \"" + options_.sensor +
+                              "\" has supplied its pose, which therefore holds; start the sensor "
+                              "again with another one, or without one"});
+    }
     const auto pose = wire::read_transform(entry->world_from_depth());
     if (!pose) return answer(pose.error());
     if (!before_) return ask(*entry, *pose);

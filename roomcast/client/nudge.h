@@ -30,8 +30,9 @@ struct NudgedSensor {
   double expected_error_mm = 0;
 };
 
-/// The new pose of the sensor. kUnavailable: the aligner rejected the prior, with the reason, or no
-/// answer came. kNotFound: there is no such sensor. Else the reason why there is no connection.
+/// The new pose of the sensor. kUnavailable: the sensor has supplied its own pose, or the aligner
+/// rejected the prior, with the reason, or no answer came. kNotFound: there is no such sensor. Else
+/// the reason why there is no connection.
 [[nodiscard]] Result<NudgedSensor> nudge_sensor(const NudgeOptions& options);
 
 /// Tilts and turns the sensor about its own position, then shifts it.

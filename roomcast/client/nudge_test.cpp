@@ -110,6 +110,19 @@ TEST_F(NudgeTest, a_guess_that_is_refused_gives_the_reason) {
   EXPECT_EQ(answer.error().message, "The proposed pose was refused: nothing fits");
 }
 
+TEST_F(NudgeTest, a_sensor_that_has_supplied_its_pose_is_not_moved_and_that_is_said_at_once) {
+  wire::pb::Control given = roster(at(1));
+  given.mutable_roster()->mutable_sensors(0)->set_placement(wire::pb::PLACEMENT_GIVEN);
+  run([&](FakeHub& own) { own.on_join = [&own, given] { own.say(given); }; });
+  const auto answer = nudge_sensor(options);
+  ASSERT_FALSE(answer.ok());
+  EXPECT_NE(answer.error().message.find("\"left\" has supplied its pose"), std::string::npos)
+      << answer.error().message;
+  run([](FakeHub& own) {
+    for (const auto& message : own.heard) EXPECT_FALSE(message.has_nudge());
+  });
+}
+
 TEST_F(NudgeTest, an_unknown_sensor_is_named) {
   show_roster();
   options.sensor = "right";

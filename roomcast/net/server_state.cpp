@@ -12,6 +12,7 @@
 #include <boost/asio/dispatch.hpp>
 #include <boost/asio/error.hpp>
 #include <boost/asio/ip/address.hpp>
+#include <malloc.h>
 
 #include "roomcast/net/http_session.h"
 #include "roomcast/net/peer_name.h"
@@ -24,6 +25,8 @@ namespace {
 
 /// Delay after a failed accept (most likely: no file descriptors left), to avoid a busy loop.
 constexpr std::chrono::milliseconds kAcceptAgainAfter{100};
+
+constexpr std::chrono::seconds kLookAtMemoryEvery{2};
 
 constexpr std::string_view kTurnedAway =
     "HTTP/1.1 503 Service Unavailable\r\n"
@@ -58,6 +61,7 @@ ServerState::ServerState(asio::io_context& door, std::span<asio::io_context* con
     : door_(door),
       acceptor_(door),
       retry_(door),
+      memory_watch_(door),
       options_(std::make_shared<const HttpServerOptions>(std::move(options))),
       tls_(options_->tls),
       log_(std::move(log)),
@@ -121,7 +125,20 @@ void ServerState::take_in(Tcp::socket socket) {
   if (origins.place == nullptr) return;
   if (connection_count() >= options_->max_connections) return turn_away(std::move(socket));
   origins.lease = http_connections_->open();
+  release_memory_after_floods();
   serve(options_, log_, tls_, std::move(socket), std::move(origins));
+}
+
+void ServerState::release_memory_after_floods() {
+  const bool is_watched = peak_.is_high();
+  peak_.note(connection_count());
+  if (is_watched || !peak_.is_high()) return;
+  memory_watch_.repeat(kLookAtMemoryEvery, [weak = weak_from_this()] {
+    const auto self = weak.lock();
+    if (!self) return;
+    if (self->peak_.has_fallen(self->connection_count())) (void)::malloc_trim(0);
+    if (!self->peak_.is_high()) self->memory_watch_.cancel();
+  });
 }
 
 std::size_t ServerState::places_for(const std::string& peer) const {
@@ -151,6 +168,7 @@ void ServerState::stop() {
   ErrorCode ignored;
   acceptor_.close(ignored);
   retry_.cancel();
+  memory_watch_.stop();
   asio::dispatch(door_, [strangers = http_connections_] { strangers->end_all(); });
   workers_->end_all();
 }

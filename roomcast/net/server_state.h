@@ -16,9 +16,11 @@
 
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
+#include "roomcast/net/connection_peak.h"
 #include "roomcast/net/http_server.h"
 #include "roomcast/net/open_connections.h"
 #include "roomcast/net/peer_counts.h"
+#include "roomcast/net/timer.h"
 #include "roomcast/net/websocket_workers.h"
 
 namespace roomcast::net {
@@ -46,10 +48,13 @@ class ServerState : public std::enable_shared_from_this<ServerState> {
   void take_in(Tcp::socket socket);
   void turn_away(Tcp::socket socket) const;
   [[nodiscard]] std::size_t places_for(const std::string& peer) const;
+  void release_memory_after_floods();
 
   boost::asio::io_context& door_;
   Tcp::acceptor acceptor_;
   boost::asio::steady_timer retry_;
+  Timer memory_watch_;  // runs while there are many connections
+  ConnectionPeak peak_;
   std::shared_ptr<const HttpServerOptions> options_;
   std::shared_ptr<const TlsServerContext> tls_;
   PeerCounts unsettled_;

@@ -8,6 +8,7 @@
 #include "roomcast/wire/control_check.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
+#include "roomcast/wire/parse_message.h"
 
 namespace roomcast::wire {
 namespace {
@@ -31,6 +32,7 @@ void encode_control(const pb::Control& control, std::vector<std::uint8_t>& out) 
   const std::size_t begin = out.size();
   const std::size_t body_bytes = control.ByteSizeLong();
   out.resize(begin + kPreambleBytes + body_bytes);
+  const google::protobuf::LogSilencer silence;  // as parse_message
   write_preamble(MessageType::kControl, std::span(out).subspan(begin).first<kPreambleBytes>());
   control.SerializeWithCachedSizesToArray(out.data() + begin + kPreambleBytes);
 }
@@ -47,7 +49,7 @@ Result<pb::Control> decode_control(std::span<const std::uint8_t> message, Sender
   }
   const auto body = message.subspan(kPreambleBytes);
   pb::Control control;
-  if (!control.ParseFromArray(body.data(), static_cast<int>(body.size()))) {
+  if (!parse_message(body, control)) {
     return Error{ErrorCode::kMalformed, "a control message is not valid Protobuf"};
   }
   if (message.size() > kMaxControlFromHubBytes && !control.has_calibration_bundle()) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/wire/control.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include <gtest/gtest.h>
 
 #include "roomcast/wire/frame_header.h"
@@ -51,6 +54,21 @@ TEST(Control, truncated_protobuf_is_refused) {
   const auto control = decode_control(message, Sender::kClient);
   ASSERT_FALSE(control.ok());
   EXPECT_EQ(control.error().code, ErrorCode::kMalformed);
+}
+
+TEST(Control, invalid_bytes_bring_no_lines_of_the_library) {
+  testing::internal::CaptureStderr();
+  pb::Control control;
+  control.mutable_join()->set_name("name");
+  std::vector<std::uint8_t> bytes;
+  encode_control(control, bytes);
+  const auto name = std::ranges::search(bytes, std::string_view("name"));
+  ASSERT_FALSE(name.empty());
+  name.front() = 0xff;  // no UTF-8
+  EXPECT_FALSE(decode_control(bytes, Sender::kClient).ok());
+  control.mutable_join()->set_name("\xff");
+  encode_control(control, bytes);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(Control, a_frame_is_not_a_control_message) {

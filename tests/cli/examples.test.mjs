@@ -52,7 +52,7 @@ test('c_example_writes_the_points_of_the_room', { skip }, async (t) => {
   const ply = join(scratchFolder(t), 'room.ply');
   const { code, stdout, stderr } = await runExample(join(build, 'bin/roomcast_example_points'), hub.url, ply);
   assert.equal(code, 0, stderr);
-  const [, count] = /^(\d+) points of/.exec(stdout);
+  const [, count] = /^(\d+) points of 2 of 2 sensors/.exec(stdout) ?? assert.fail(stdout);
   assert.ok(Number(count) > 1000);
   const bytes = readFileSync(ply);
   const header = bytes.indexOf('end_header\n') + 'end_header\n'.length;
@@ -76,7 +76,7 @@ test('python_example_reads_depth_and_is_seen_by_others', { skip }, async (t) => 
   const other = await RoomClient.join(t, hub.url);
   const { code, stdout, stderr } = await runExample('python3', join(examples, 'depth.py'), hub.url, library);
   assert.equal(code, 0, stderr);
-  assert.match(stdout, /^s\d: 64x48, \d+ readings, median \d+\.\d\d m$/m);
+  for (const sensor of ['s0', 's1']) assert.match(stdout, new RegExp(`^${sensor}: 64x48, \\d+ readings, median \\d+\\.\\d\\d m$`, 'm'));
   await other.until('the pose', () => other.heads.some((head) => head.join() === '0.5,1.5,2'));
 });
 

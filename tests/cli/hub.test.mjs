@@ -5,11 +5,14 @@ import { randomBytes } from 'node:crypto';
 import { chownSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { request } from 'node:http';
 import { createServer } from 'node:net';
+import { networkInterfaces } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
 import { Program, assertFailed, assertServes, run, scratchFolder, startHub, startSensor } from './program.mjs';
 import { RawSocket } from './raw_socket.mjs';
+import { writeJoin } from '../network/messages.mjs';
+import { RoomClient } from '../network/room_client.mjs';
 
 /** A port of this machine without a listener. */
 async function closedPort() {
@@ -136,6 +139,29 @@ test('hub_that_cannot_read_its_database_does_not_start', async (t) => {
   const folder = scratchFolder(t);
   writeFileSync(join(folder, 'hub.sqlite'), 'x'.repeat(5000));
   assertFailed(await run('hub', '--listen', '127.0.0.1:0', '--data', folder), 1, /hub\.sqlite cannot be used/);
+});
+
+test('hub_on_all_addresses_names_those_of_its_machine', async (t) => {
+  const own = Object.values(networkInterfaces()).flat().filter(({ internal, family }) => !internal && family === 'IPv4').map(({ address }) => address);
+  const hub = new Program(['hub', '--listen', '0.0.0.0:0', '--no-align', '--data', scratchFolder(t)]);
+  t.after(() => hub.stop('SIGKILL'));
+  await hub.prints(/sha256=\w+\n/);
+  assert.equal(await hub.stop(), 0);
+  const [, named = ''] = /in its place: (.*)$/m.exec(hub.stdout) ?? [];
+  assert.deepEqual(named.split(', ').sort(), own.length > 0 ? own.sort() : ['']);
+});
+
+test('strangers_write_no_lines_of_a_librarys_into_the_log', async (t) => {
+  const hub = await startHub(t, '--log', 'json', '--verbose');
+  for (const field of ['room', 'name', 'token', 'code']) {
+    const client = await RoomClient.open(t, hub.url);
+    const message = writeJoin({ room: 'room', name: 'name', [field]: 'no UTF-8: x' });
+    message[message.indexOf('no UTF-8: x') + 'no UTF-8: x'.length - 1] = 0xff;
+    client.send(message);
+    assert.equal((await client.closed).code, 1008);
+  }
+  assert.equal(await hub.program.stop(), 0);
+  for (const line of hub.program.stderr.trimEnd().split('\n')) JSON.parse(line);
 });
 
 test('hub_warns_when_it_runs_as_root', async (t) => {

@@ -64,6 +64,24 @@ test('completion_knows_commands_and_their_options', { skip }, () => {
       { env: { ...process.env, PATH: `${unpacked('bin')}:${process.env.PATH}` } }).trim();
   assert.equal(complete('roomcast', 'reco'), 'record');
   assert.match(complete('roomcast', 'record', '--sec'), /^--seconds$/);
+  assert.equal(complete('roomcast', 'bench', 're'), 'register real render');
+  assert.match(complete('roomcast', 'bench', 'codec', '--back'), /^--back-and-forth$/);
+  assert.equal(complete('roomcast', 'hub', '--log', ''), 'text json');
+  assert.equal(complete('roomcast', 'export', 'room.mcap', '--format', 'g'), 'gltf');
+  assert.equal(complete('roomcast', 'view', '--mode', 'p'), 'points');
+});
+
+test('documents_link_to_documents_that_are_installed', { skip }, () => {
+  const folder = unpacked('share/doc/roomcast');
+  const documents = run('find', [folder, '-name', '*.md']).trim().split('\n');
+  assert.ok(documents.length > 20);
+  const dead = documents.flatMap((document) =>
+    [...readFileSync(document, 'utf8').matchAll(/\]\(([^)#\s]+)/g)]
+      .map(([, link]) => link)
+      .filter((link) => !/^[a-z]+:/.test(link) && !existsSync(resolve(dirname(document), link)))
+      .map((link) => `${document.slice(folder.length + 1)}: ${link}`),
+  );
+  assert.deepEqual(dead, []);
 });
 
 test('configuration_to_begin_with_can_be_used', { skip }, () => {
@@ -83,6 +101,15 @@ test('services_start_programs_and_options_that_there_are', { skip }, () => {
       for (const option of options.match(/--[a-z-]+/g) ?? []) assert.ok(help.includes(option), `${unit}: ${command} ${option}`);
     }
   }
+});
+
+test('every_camera_that_is_known_may_be_opened', { skip }, () => {
+  const known = readFileSync(join(root, 'roomcast/source/camera/usb_device.cpp'), 'utf8').matchAll(/Known\{0x(\w{4}), 0x(\w{4}), "\w+", "([^"]+)"/g);
+  const rules = readFileSync(unpacked('lib/udev/rules.d/60-roomcast-cameras.rules'), 'utf8').split('\n');
+  const isOpened = (vendor, product) =>
+    rules.some((rule) => rule.includes(`ATTR{idVendor}=="${vendor}"`) && (!/idProduct/.test(rule) || /idProduct}=="([^"]*)"/.exec(rule)[1].split('|').includes(product)));
+  const closed = [...known].filter(([, vendor, product]) => !isOpened(vendor, product)).map(([, , , model]) => model);
+  assert.deepEqual(closed, []);
 });
 
 test('program_is_built_against_the_unpacked_library_by_pkg_config', { skip }, () => {

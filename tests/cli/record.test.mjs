@@ -224,6 +224,21 @@ test('info_tells_when_and_how_long_a_room_was_recorded', async () => {
   assert.match((await run('info', recording)).stdout, /^room "room": \d\.\d\d s, recorded from \d{4}-\d\d-\d\dT/);
 });
 
+test('exports_keep_the_date_of_a_recording', async (t) => {
+  const folder = scratchFolder(t);
+  const begin_s = Date.parse(JSON.parse((await run('info', recording, '--json')).stdout).begin) / 1000;
+  for (const format of ['tum', 'foxglove']) {
+    const { code, stderr } = await run('export', recording, '--format', format, '--out', join(folder, format));
+    assert.equal(code, 0, stderr);
+  }
+  const { messages } = await readIndexed(join(folder, 'foxglove/room.mcap'));
+  const inFolder = (name) => Number(/^\d+\.\d+/m.exec(readFileSync(join(folder, 'tum/s0', name), 'utf8'))[0]);
+  const dates_s = [inFolder('depth.txt'), inFolder('groundtruth.txt'), Number(messages[0].logTime) / 1e9];
+  for (const date_s of dates_s) assert.ok(Math.abs(date_s - begin_s) < 3, `${date_s}, not ${begin_s}`);
+  const again = await run('info', join(folder, 'tum'), '--json');
+  assert.equal(again.code, 0, again.stderr);
+});
+
 test('a_folder_for_recordings_is_closed_to_other_users', async (t) => {
   const folder = scratchFolder(t);
   const config = join(folder, 'roomcast.toml');

@@ -119,6 +119,28 @@ test('an_unknown_sensor_of_a_rig_is_named_with_the_existing_ones', async (t) => 
   assertFailed(await run('sensor', '--source', `rig:${recording}#s9`, '--hub', hub.url), 1, /s9.*s0.*s1/);
 });
 
+/** Many thousand times the same picture: reading it takes seconds. */
+function longRecording(t) {
+  const rig = copyOfRecording(t);
+  const [, file] = /^\d\S* (\S+)$/m.exec(readFileSync(join(rig, 's0/depth.txt'), 'utf8'));
+  writeFileSync(join(rig, 's0/depth.txt'), Array.from({ length: 20_000 }, (_, i) => `${i}.0 ${file}\n`).join(''));
+  rmSync(join(rig, 's0/rgb.txt'));
+  return join(rig, 's0');
+}
+
+test('info_that_is_interrupted_fails_instead_of_telling_figures_of_a_part', async (t) => {
+  const recording = longRecording(t);
+  for (const options of [['--json'], [], ['--thumbnails', join(recording, 'a.png')]]) {
+    const program = new Program(['info', recording, ...options]);
+    await delay(500);
+    const begin = performance.now();
+    const code = await program.stop('SIGINT');
+    assertFailed({ code, stderr: program.stderr }, 1, /interrupted before the recording was read to its end/);
+    assert.equal(program.stdout, '');
+    assert.ok(performance.now() - begin < obeysWithin_ms);
+  }
+});
+
 test('simulate_does_not_overwrite_a_recording', async (t) => {
   const rig = copyOfRecording(t);
   const before = readFileSync(join(rig, 'rig.json'));

@@ -111,6 +111,33 @@ for (const [name, [options, sentence]] of Object.entries(mistakes)) {
   });
 }
 
+test('token_file_is_readable_by_its_user_only_and_is_a_new_one', async (t) => {
+  const hub = await startClosedHub(t);
+  const file = join(hub.folder, 'ada.token');
+  const make = (...options) => run('token', '--data', hub.folder, '--room', 'room', '--role', 'viewer', '--out', file, ...options);
+  assert.deepEqual(await make(), { code: 0, stdout: '', stderr: '' });
+  assert.equal(statSync(file).mode & 0o777, 0o600);
+  const { stderr } = await look(hub, hub.folder, '--token-file', file);
+  assert.match(stderr, /no sensor has joined/, 'the token is valid');
+  assertFailed(await make(), 1, /ada\.token: File exists/);
+  const { tokens } = await token(hub, '--list');
+  assert.deepEqual(tokens.map(({ revoked }) => revoked).sort(), [false, true], 'a token that nobody has is revoked');
+  assertFailed(await make('--list'), 2, /--out|--list/);
+});
+
+test('token_for_a_room_that_a_hub_does_not_know_warns', async (t) => {
+  const folder = scratchFolder(t);
+  const make = (...options) => run('token', '--data', folder, '--role', 'viewer', ...options);
+  assert.equal((await make('--room', 'room')).code, 0);
+  const lab = await make('--room', 'lab');
+  assert.equal(lab.code, 0, lab.stderr);
+  assert.match(lab.stdout, /^\S+\n$/);
+  assert.match(lab.stderr, /^roomcast token: no room "lab" is in this hub's configuration.* it has "room"/);
+  const config = join(folder, 'roomcast.toml');
+  writeFileSync(config, '[[room]]\nname = "lab"\n');
+  assert.equal((await make('--room', 'lab', '--config', config)).stderr, '');
+});
+
 test('token_that_is_not_there_cannot_be_revoked', async (t) => {
   const folder = scratchFolder(t);
   assert.equal((await run('token', '--data', folder, '--role', 'admin')).code, 0);

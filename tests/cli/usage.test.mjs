@@ -18,10 +18,15 @@ for (const command of commands) {
   });
 }
 
-test('version_names_the_program_its_commit_and_its_wire', async () => {
+test('version_names_the_program_its_commit_its_wire_and_its_cameras', async () => {
   const { code, stdout } = await run('--version');
   assert.equal(code, 0);
-  assert.match(stdout, /^roomcast \d+\.\d+\.\d+ \(commit [0-9a-z-]+, wire version \d+\)\n$/);
+  const [first, second, ...others] = stdout.trimEnd().split('\n');
+  assert.match(first, /^roomcast \d+\.\d+\.\d+ \(commit [0-9a-z-]+, wire version \d+\)$/);
+  const { kinds } = JSON.parse((await run('devices', '--json')).stdout);
+  const builtIn = kinds.filter(({ built_in }) => built_in).map(({ kind }) => kind);
+  assert.equal(second, `cameras built in: ${builtIn.join(', ') || 'none'}`);
+  assert.deepEqual(others, []);
 });
 
 test('help_names_every_command', async () => {

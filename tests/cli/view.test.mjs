@@ -2,11 +2,12 @@
 // roomcast view: in an empty room it reports so and writes no picture; a window opens without a display, or reports why
 // it cannot.
 import { deepEqual, equal, match } from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
-import { RoomClient } from '../network/room_client.mjs';
+import { RoomClient, SendingSensor } from '../network/room_client.mjs';
 import { startSensor } from '../network/rooms.mjs';
 import { writeSmallRig } from '../network/small_rig.mjs';
 import { Program, assertFailed, run, scratchFolder, startHub } from './program.mjs';
@@ -35,6 +36,35 @@ test('room_without_its_sensors_is_not_drawn', async (t) => {
   const code = await viewer.ended;
   assertFailed({ code, stderr: viewer.stderr }, 1, /all sensors have left this room/);
   deepEqual(readdirSync(folder), []);
+});
+
+test('a_sensor_that_sends_garbage_keeps_no_other_from_the_picture', { timeout: 60_000 }, async (t) => {
+  const hub = await startHub(t);
+  await startSensor(t, hub.url, writeSmallRig(scratchFolder(t)), 0);
+  await SendingSensor.start(t, hub.url, { name: 'garbage', fps: 10 });
+  const folder = scratchFolder(t);
+  const { code, stderr } = await run(...viewInto(folder, hub));
+  equal(code, 0, stderr);
+  match(stderr, /^roomcast view: no picture came from garbage within \d+ s; the others are drawn$/m);
+  deepEqual(readdirSync(folder), ['room.png']);
+});
+
+/** A shell in which this library cannot be loaded, where root may mount something in its place. */
+function without(library) {
+  const hide = `file=$(ldconfig -p | sed -n 's/.*${library} .*=> //p' | head -n 1); mount --bind /dev/null "$(readlink -f "$file")"`;
+  return ['unshare', '--mount', 'sh', '-c', `${hide} && exec "$0" "$@"`];
+}
+const canHide = spawnSync('unshare', ['--mount', 'true']).status === 0;
+
+test('without_the_library_of_egl_there_is_a_sentence', { skip: canHide ? false : 'hiding a library takes root' }, async (t) => {
+  const hub = await startHub(t);
+  const folder = scratchFolder(t);
+  const rig = writeSmallRig(folder);
+  await startSensor(t, hub.url, rig, 0);
+  const film = ['export', rig, '--format', 'video', '--to', '0.2', '--size', '64,48', '--out', join(folder, 'film')];
+  for (const args of [viewInto(folder, hub), ['view', '--hub', hub.url], film]) {
+    assertFailed(await run(...args, { through: without('libEGL.so.1') }), 1, /libEGL\.so\.1 cannot be loaded here; apt install libegl1/);
+  }
 });
 
 test('window_opens_and_its_last_picture_is_kept', async (t) => {

@@ -11,12 +11,18 @@ export async function makeToken(folder, ...options) {
   return JSON.parse(stdout);
 }
 
-/** Sends a request; resolves to {status, body}. */
+const answerWithin_ms = 20_000;
+
+/**
+ * Sends a request; resolves to {status, body}. Rejects without an answer: Node's fetch waits for ever when a request
+ * was queued while its hub was killed (it stays in the queue of a socket that is closed).
+ */
 export async function ask(port, token, method, path, body) {
   const answer = await fetch(`http://127.0.0.1:${port}/api/v1${path}`, {
     method,
     headers: token ? { Authorization: `Bearer ${token}` } : {},
     body: body === undefined ? undefined : JSON.stringify(body),
+    signal: AbortSignal.timeout(answerWithin_ms),
   });
   const text = await answer.text();
   return { status: answer.status, body: text === '' ? undefined : JSON.parse(text) };

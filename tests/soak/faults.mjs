@@ -96,7 +96,7 @@ async function setClocks({ clocks, witness, pledges, onFinding }) {
     await pledges.outlive(async () => {
       clocks.forEach((clock) => clock.set(jump_s));
       await delay(betweenJumps_ms);
-    }, tokensPerJump);
+    }, { most: tokensPerJump, staysThere: true });
     if (Date.now() - witness.lastFrameAt_ms > betweenJumps_ms) onFinding(`no frame after clocks were set ${jump_s} s ahead`);
   }
   if (witness.disconnections > disconnections) onFinding('the witness was disconnected when clocks were set');

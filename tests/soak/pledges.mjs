@@ -16,9 +16,12 @@ export class Pledges {
     Object.assign(this, { port, admin, random, onFinding });
   }
 
-  /** Admins write up to `most` tokens while `kill` is run; what was acknowledged is looked for when the hub is back. */
-  async outlive(kill, most = mostTokens) {
-    const writing = this.#writeUntilRefused(most);
+  /**
+   * Admins write up to `most` tokens while `kill` is run; what was acknowledged is looked for when the hub is back.
+   * `staysThere`: nothing kills the hub, so each request is answered.
+   */
+  async outlive(kill, { most = mostTokens, staysThere = false } = {}) {
+    const writing = this.#writeUntilRefused(most, staysThere);
     await delay(this.random() * longestWriting_ms);
     await kill();
     await writing;
@@ -39,7 +42,7 @@ export class Pledges {
     if (lost > 0) this.onFinding(`${lost} of ${ids.length} acknowledged tokens are lost`);
   }
 
-  async #writeUntilRefused(most) {
+  async #writeUntilRefused(most, staysThere) {
     for (let i = 0; i < most; ++i) {
       try {
         const wanted = { room: 'room', role: 'viewer', ttl_s: 60 };
@@ -47,7 +50,8 @@ export class Pledges {
         if (status !== 201) return this.onFinding(`a token was refused: HTTP ${status}`);
         this.#ids.push(body.id);
         ++this.acknowledged;
-      } catch {
+      } catch (error) {
+        if (staysThere) this.onFinding(`a token's request was not answered: ${error.message}`);
         return; // the hub is gone
       }
     }

@@ -12,6 +12,7 @@
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/io/image_file.h"
 #include "roomcast/recording/dataset/rig_json.h"
+#include "roomcast/recording/dataset/tum_list.h"
 
 namespace roomcast::recording {
 namespace {
@@ -71,14 +72,8 @@ std::string numbered(std::uint64_t index, const char* folder, const char* ending
   return text;
 }
 
-/// A line of a TUM list: seconds with nine decimals, which is exact for any int64 of nanoseconds.
 std::string list_line(nanoseconds timestamp, const std::string& file) {
-  const std::int64_t ns = timestamp.count();
-  char seconds[40];
-  const std::int64_t whole = ns / 1'000'000'000, rest = std::abs(ns % 1'000'000'000);
-  std::snprintf(seconds, sizeof(seconds), "%s%" PRId64 ".%09" PRId64,
-                ns < 0 && whole == 0 ? "-" : "", whole, rest);
-  return std::string(seconds) + " " + file;
+  return tum_seconds(timestamp) + " " + file;
 }
 
 Status check_frame(const SensorCalibration& calibration, const source::CapturedFrame& frame) {

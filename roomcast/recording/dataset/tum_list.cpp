@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cinttypes>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <set>
 
 #include "roomcast/io/file_bytes.h"
@@ -139,6 +142,15 @@ std::vector<std::string> associate_by_time(const std::vector<ListedFile>& depth_
     color_of_depth.push_back(found ? nearest->file : std::string());
   }
   return color_of_depth;
+}
+
+std::string tum_seconds(nanoseconds time) {
+  const std::int64_t ns = time.count();
+  const std::int64_t whole = ns / kWholeSecond_ns, rest = std::abs(ns % kWholeSecond_ns);
+  char text[40];
+  std::snprintf(text, sizeof(text), "%s%" PRId64 ".%09" PRId64, ns < 0 && whole == 0 ? "-" : "",
+                whole, rest);
+  return text;
 }
 
 }  // namespace roomcast::recording

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the lists of the TUM RGB-D benchmark layout: depth.txt and rgb.txt (a timestamp in seconds
+// The lists of the TUM RGB-D benchmark layout: depth.txt and rgb.txt (a timestamp in seconds
 // and a file per line, '#' starts a comment) and associations.txt (two such pairs per line).
 // Thread-safe (no state).
 #pragma once
@@ -37,5 +37,8 @@ struct ListedFile {
 
 /// "103.231313" -> nanoseconds, exactly (no floating point). False for anything else.
 [[nodiscard]] bool parse_seconds(std::string_view text, nanoseconds& time);
+
+/// The inverse: seconds with nine decimals, which is exact for every time.
+[[nodiscard]] std::string tum_seconds(nanoseconds time);
 
 }  // namespace roomcast::recording

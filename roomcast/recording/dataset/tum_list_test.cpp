@@ -22,6 +22,14 @@ TEST(ParseSeconds, keeps_every_digit) {
   EXPECT_EQ(time.count(), 1123456789);
 }
 
+TEST(TumSeconds, are_read_again_as_they_were) {
+  for (const std::int64_t ns : {0L, 1L, -1L, -1500000000L, 1305031102175304001L}) {
+    nanoseconds time{};
+    ASSERT_TRUE(parse_seconds(tum_seconds(nanoseconds(ns)), time)) << ns;
+    EXPECT_EQ(time.count(), ns);
+  }
+}
+
 TEST(ParseSeconds, refuses_invalid_times) {
   nanoseconds time{};
   for (const char* text :

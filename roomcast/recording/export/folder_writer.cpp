@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "roomcast/io/file_bytes.h"
+#include "roomcast/recording/dataset/tum_list.h"
 
 namespace roomcast::recording {
 
@@ -49,7 +50,8 @@ Status FolderWriter::add_frame(const SetFrame& frame) {
   last.next_index = captured_.index + 1;
   captured_.depth_mm = frame.pictures->depth_mm;
   captured_.color = frame.pictures->color;
-  if (auto status = writer_->add(frame.sensor, captured_, frame.time); !status) return status;
+  if (auto status = writer_->add(frame.sensor, captured_, began_at_ + frame.time); !status)
+    return status;
   return groundtruth_ && frame.world_from_depth ? add_pose(frame) : Status();
 }
 
@@ -57,10 +59,10 @@ Status FolderWriter::add_pose(const SetFrame& frame) const {
   const Eigen::Quaterniond turn(frame.world_from_depth->rotation);
   const Eigen::Vector3d& place = frame.world_from_depth->translation_m;
   char line[240];
-  std::snprintf(line, sizeof(line), "%.9f %.6f %.6f %.6f %.8f %.8f %.8f %.8f",
-                std::chrono::duration<double>(frame.time).count(), place.x(), place.y(), place.z(),
-                turn.x(), turn.y(), turn.z(), turn.w());
-  return io::append_line(folder_ / sensors_[frame.sensor].name / "groundtruth.txt", line);
+  std::snprintf(line, sizeof(line), "%.6f %.6f %.6f %.8f %.8f %.8f %.8f", place.x(), place.y(),
+                place.z(), turn.x(), turn.y(), turn.z(), turn.w());
+  return io::append_line(folder_ / sensors_[frame.sensor].name / "groundtruth.txt",
+                         tum_seconds(began_at_ + frame.time) + " " + line);
 }
 
 Status FolderWriter::finish() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exports frame sets as a rig folder (dataset/rig_json.h) of picture files, colour in the depth
-// grid. Timestamps are seconds since the recording began. On request each sensor's folder also gets
+// grid. Timestamps are UTC, seconds since 1970, where the recording tells its date; else they count
+// from its begin. On request each sensor's folder also gets
 // groundtruth.txt (TUM RGB-D benchmark: t tx ty tz qx qy qz qw, world from camera).
 // Single-threaded.
 #pragma once
@@ -17,9 +18,10 @@ namespace roomcast::recording {
 
 class FolderWriter final : public SetWriter {
  public:
-  FolderWriter(std::filesystem::path folder, std::vector<SetSensor> sensors, bool groundtruth)
+  FolderWriter(std::filesystem::path folder, ExportedRoom room, bool groundtruth)
       : folder_(std::move(folder)),
-        sensors_(std::move(sensors)),
+        sensors_(std::move(room.sensors)),
+        began_at_(room.began_at),
         last_(sensors_.size()),
         groundtruth_(groundtruth) {}
 
@@ -39,6 +41,7 @@ class FolderWriter final : public SetWriter {
 
   const std::filesystem::path folder_;
   const std::vector<SetSensor> sensors_;
+  const nanoseconds began_at_;
   std::vector<Last> last_;
   const bool groundtruth_;
   double fps_ = 0;

@@ -124,10 +124,11 @@ foxglove::FrameTransform transform_message(const std::string& sensor,
 }  // namespace
 
 Result<FoxgloveWriter> FoxgloveWriter::create(const std::filesystem::path& path,
-                                              const std::vector<SetSensor>& sensors) {
+                                              const std::vector<SetSensor>& sensors,
+                                              nanoseconds began_at) {
   auto writer = recording::mcap::Writer::create(path);
   if (!writer) return writer.error();
-  FoxgloveWriter foxglove(std::move(*writer));
+  FoxgloveWriter foxglove(std::move(*writer), began_at);
   foxglove.add_channels(sensors);
   return foxglove;
 }
@@ -152,7 +153,8 @@ Status FoxgloveWriter::add(const FrameSet& set, const PointCloud& cloud) {
   for (const SetFrame& frame : set.frames) {
     if (auto status = add_sensor(frame); !status) return status;
   }
-  return write(points_, cloud_message(cloud, set.time), set.time);
+  const nanoseconds time = began_at_ + set.time;
+  return write(points_, cloud_message(cloud, time), time);
 }
 
 Status FoxgloveWriter::add_sensor(const SetFrame& frame) {
@@ -160,12 +162,12 @@ Status FoxgloveWriter::add_sensor(const SetFrame& frame) {
   if (channels.last == frame.pictures) return {};  // frame repeated from an earlier set
   channels.last = frame.pictures;
   const std::string& name = channels.sensor.name;
+  const nanoseconds time = began_at_ + frame.time;
   if (frame.world_from_depth) {
-    auto status = write(transforms_, transform_message(name, *frame.world_from_depth, frame.time),
-                        frame.time);
+    auto status = write(transforms_, transform_message(name, *frame.world_from_depth, time), time);
     if (!status) return status;
   }
-  auto status = write(channels.camera, camera_message(channels.sensor, frame.time), frame.time);
+  auto status = write(channels.camera, camera_message(channels.sensor, time), time);
   return status && !frame.pictures->color.empty() ? add_video(channels, frame) : status;
 }
 
@@ -187,12 +189,13 @@ Status FoxgloveWriter::add_video(SensorChannels& channels, const SetFrame& frame
   auto status =
       channels.encoder->encode(frame.pictures->color, frame.pictures->color_seen, role, bytes);
   if (!status) return status;
+  const nanoseconds time = began_at_ + frame.time;
   foxglove::CompressedVideo message;
-  write_time(frame.time, *message.mutable_timestamp());
+  write_time(time, *message.mutable_timestamp());
   message.set_frame_id(channels.sensor.name);
   message.set_format("vp9");
   message.set_data(bytes.data(), bytes.size());
-  return write(channels.video, message, frame.time);
+  return write(channels.video, message, time);
 }
 
 Status FoxgloveWriter::write(recording::mcap::ChannelId channel,

@@ -5,7 +5,8 @@
 //   /NAME/color      foxglove.CompressedVideo    VP9, in the depth grid
 //   /NAME/camera     foxglove.CameraCalibration
 //   /tf              foxglove.FrameTransform     world -> NAME, an optical frame
-// World frame: y up, metres. Single-threaded.
+// World frame: y up, metres. Times are UTC where the recording tells its date, else they count from
+// its begin. Single-threaded.
 #pragma once
 
 #include <filesystem>
@@ -26,8 +27,9 @@ namespace roomcast::recording {
 
 class FoxgloveWriter {
  public:
+  /// `began_at` is added to the times of frames: as FrameSetReader::began_at.
   static Result<FoxgloveWriter> create(const std::filesystem::path& path,
-                                       const std::vector<SetSensor>& sensors);
+                                       const std::vector<SetSensor>& sensors, nanoseconds began_at);
 
   /// `cloud`: merged cloud of `set`.
   [[nodiscard]] Status add(const FrameSet& set, const PointCloud& cloud);
@@ -42,7 +44,8 @@ class FoxgloveWriter {
     std::shared_ptr<const codec::DecodedFrame> last;
   };
 
-  explicit FoxgloveWriter(recording::mcap::Writer writer) : writer_(std::move(writer)) {}
+  FoxgloveWriter(recording::mcap::Writer writer, nanoseconds began_at)
+      : writer_(std::move(writer)), began_at_(began_at) {}
   void add_channels(const std::vector<SetSensor>& sensors);
   [[nodiscard]] Status add_sensor(const SetFrame& frame);
   [[nodiscard]] Status add_video(SensorChannels& channels, const SetFrame& frame);
@@ -50,6 +53,7 @@ class FoxgloveWriter {
                              const google::protobuf::Message& message, nanoseconds time);
 
   recording::mcap::Writer writer_;
+  nanoseconds began_at_;
   std::vector<SensorChannels> sensors_;
   recording::mcap::ChannelId points_{}, transforms_{};
   std::uint32_t sequence_ = 0;

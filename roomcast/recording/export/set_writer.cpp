@@ -116,12 +116,12 @@ Status make_folder(const std::filesystem::path& folder) {
 }
 
 Result<std::unique_ptr<SetWriter>> make_foxglove_file(const std::filesystem::path& out,
-                                                      const std::vector<SetSensor>& sensors,
+                                                      const ExportedRoom& room,
                                                       const MergedCloudOptions& cloud) {
-  auto writer = FoxgloveWriter::create(out / "room.mcap", sensors);
+  auto writer = FoxgloveWriter::create(out / "room.mcap", room.sensors, room.began_at);
   if (!writer) return writer.error();
   return std::unique_ptr<SetWriter>(
-      std::make_unique<FoxgloveFile>(std::move(*writer), MergedCloud(sensors, cloud)));
+      std::make_unique<FoxgloveFile>(std::move(*writer), MergedCloud(room.sensors, cloud)));
 }
 
 }  // namespace
@@ -146,27 +146,27 @@ std::string_view name_of(ExportFormat format) {
 
 Result<std::unique_ptr<SetWriter>> make_set_writer(ExportFormat format,
                                                    const std::filesystem::path& out,
-                                                   const std::vector<SetSensor>& sensors,
+                                                   const ExportedRoom& room,
                                                    const MergedCloudOptions& cloud) {
   if (auto status = cloud.check(); !status) return status.error();
   if (auto status = make_folder(out); !status) return status.error();
   switch (format) {
     case ExportFormat::kPly:
       return std::unique_ptr<SetWriter>(
-          std::make_unique<CloudFiles>(out, "ply", append_ply, MergedCloud(sensors, cloud)));
+          std::make_unique<CloudFiles>(out, "ply", append_ply, MergedCloud(room.sensors, cloud)));
     case ExportFormat::kPcd:
       return std::unique_ptr<SetWriter>(
-          std::make_unique<CloudFiles>(out, "pcd", append_pcd, MergedCloud(sensors, cloud)));
+          std::make_unique<CloudFiles>(out, "pcd", append_pcd, MergedCloud(room.sensors, cloud)));
     case ExportFormat::kGltf:
-      return std::unique_ptr<SetWriter>(std::make_unique<GltfFiles>(out, sensors));
+      return std::unique_ptr<SetWriter>(std::make_unique<GltfFiles>(out, room.sensors));
     case ExportFormat::kFoxglove:
-      return make_foxglove_file(out, sensors, cloud);
+      return make_foxglove_file(out, room, cloud);
     case ExportFormat::kRig:
     case ExportFormat::kTum:
       break;
   }
   return std::unique_ptr<SetWriter>(
-      std::make_unique<FolderWriter>(out, sensors, format == ExportFormat::kTum));
+      std::make_unique<FolderWriter>(out, room, format == ExportFormat::kTum));
 }
 
 }  // namespace roomcast::recording

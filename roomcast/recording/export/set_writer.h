@@ -47,10 +47,17 @@ class SetWriter {
   [[nodiscard]] virtual ExportTotals totals() const = 0;
 };
 
+/// The room to be exported, as FrameSetReader describes it.
+struct ExportedRoom {
+  std::vector<SetSensor> sensors;
+  nanoseconds began_at{};  // as FrameSetReader::began_at. Formats with times give them as UTC then
+};
+
 /// Creates the folder `out`. kInvalidArgument as MergedCloudOptions::check; kUnavailable if it
 /// cannot be written, or is not empty although the format needs a new folder.
-[[nodiscard]] Result<std::unique_ptr<SetWriter>> make_set_writer(
-    ExportFormat format, const std::filesystem::path& out, const std::vector<SetSensor>& sensors,
-    const MergedCloudOptions& cloud);
+[[nodiscard]] Result<std::unique_ptr<SetWriter>> make_set_writer(ExportFormat format,
+                                                                 const std::filesystem::path& out,
+                                                                 const ExportedRoom& room,
+                                                                 const MergedCloudOptions& cloud);
 
 }  // namespace roomcast::recording

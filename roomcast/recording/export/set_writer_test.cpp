@@ -3,9 +3,14 @@
 // format with third-party readers.
 #include "roomcast/recording/export/set_writer.h"
 
+#include <fstream>
+#include <map>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "roomcast/core/temporary_folder.h"
+#include "roomcast/recording/dataset/tum_list.h"
 #include "roomcast/recording/export/cloud_files.h"
 #include "roomcast/recording/export/folder_writer.h"
 #include "roomcast/recording/export/foxglove_writer.h"
@@ -19,8 +24,9 @@ namespace {
 class SetWriterTest : public testing::Test {
  protected:
   Result<std::unique_ptr<SetWriter>> make(ExportFormat format) const {
-    return make_set_writer(format, out, wall_sensors(), {});
+    return make_set_writer(format, out, {wall_sensors(), kBeganAt}, {});
   }
+  static constexpr nanoseconds kBeganAt{1'764'000'000'000'000'123};  // in November 2025
   TemporaryFolder folder;
   std::filesystem::path out = folder / "out";
 };
@@ -65,6 +71,29 @@ TEST_F(SetWriterTest, a_rig_is_read_again_as_it_was) {
   ASSERT_EQ(set.frames.size(), 2u);
   EXPECT_EQ(set.frames[1].pictures->depth_mm, wall_set().frames[1].pictures->depth_mm);
   EXPECT_EQ(set.frames[1].world_from_depth->translation_m, wall_pose(1).translation_m);
+}
+
+TEST_F(SetWriterTest, a_folder_keeps_the_date_of_its_frames) {
+  auto writer = make(ExportFormat::kTum);
+  ASSERT_TRUE((*writer)->add(wall_set()).ok());
+  ASSERT_TRUE((*writer)->finish().ok());
+  const auto listed = read_tum_list(out / "far" / "depth.txt");
+  ASSERT_TRUE(listed.ok()) << listed.error().message;
+  EXPECT_EQ(listed->front().timestamp, kBeganAt);
+  std::ifstream poses(out / "far" / "groundtruth.txt");
+  std::string seconds;
+  poses >> seconds;
+  EXPECT_EQ(seconds, tum_seconds(kBeganAt));
+}
+
+TEST_F(SetWriterTest, a_foxglove_file_keeps_the_date_of_its_frames) {
+  auto writer = make(ExportFormat::kFoxglove);
+  ASSERT_TRUE((*writer)->add(wall_set()).ok());
+  ASSERT_TRUE((*writer)->finish().ok());
+  const auto file = recording::mcap::Reader::open(out / "room.mcap");
+  ASSERT_TRUE(file.ok());
+  EXPECT_EQ(file->summary().statistics.start_time, kBeganAt);
+  EXPECT_EQ(file->summary().statistics.end_time, kBeganAt);
 }
 
 TEST_F(SetWriterTest, a_foxglove_file_has_the_channels_that_programs_look_for) {

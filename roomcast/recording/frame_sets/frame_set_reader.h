@@ -50,6 +50,9 @@ class FrameSetReader {
   [[nodiscard]] virtual const std::vector<SetSensor>& sensors() const = 0;
   /// Duration of the recording; 0: unknown.
   [[nodiscard]] virtual nanoseconds length() const = 0;
+  /// The instant from which FrameSet::time counts, since 1970-01-01 UTC; 0 if the recording does
+  /// not tell it.
+  [[nodiscard]] virtual nanoseconds began_at() const { return {}; }
   /// False if the recorder was not permitted to export the room.
   [[nodiscard]] virtual bool may_be_exported() const { return true; }
   /// Returns false at the end. An error describes a damaged place; if possible, the next call

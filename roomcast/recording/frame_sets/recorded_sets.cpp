@@ -34,7 +34,7 @@ class RecordedSets final : public FrameSetReader {
 
   const std::vector<SetSensor>& sensors() const override { return sensors_; }
   nanoseconds length() const override { return recording_.end() - recording_.origin(); }
-
+  nanoseconds began_at() const override { return recording_.origin(); }
   bool may_be_exported() const override { return recording_.may_be_exported(); }
 
   Result<bool> next(FrameSet& set) override {

@@ -53,10 +53,19 @@ class Recorder::Link final : public client::HubLinkEvents {
 
   /// Waits until the file has been created or opening has failed.
   Status wait_for_file() {
-    const client::StopNotice notice(options_.stop, mutex_, changed_);
-    std::unique_lock lock(mutex_);
-    changed_.wait(
-        lock, [this] { return has_file_ || down_ || failure_ || options_.stop.stop_requested(); });
+    {
+      const client::StopNotice notice(options_.stop, mutex_, changed_);
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [this] {
+        return has_file_ || down_ || failure_ || options_.stop.stop_requested();
+      });
+      if (!has_file_ && !down_ && !failure_) {
+        // The network thread may be creating the file just now.
+        lock.unlock();
+        if (auto ended = finish(); !ended) return ended;
+      }
+    }
+    std::lock_guard lock(mutex_);
     if (failure_) return *failure_;
     if (has_file_) return {};
     return down_ ? *down_ : client::stopped_waiting();

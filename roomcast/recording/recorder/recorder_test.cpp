@@ -98,6 +98,30 @@ TEST_F(RecorderTest, keeps_the_same_bytes) {
   EXPECT_TRUE(file->may_be_exported());
 }
 
+/// Nobody knows whether the hub has answered at the moment of the request.
+TEST_F(RecorderTest, that_is_stopped_while_it_opens_leaves_a_whole_file_or_none) {
+  int opened = 0;
+  for (int n = 0; n < 100; ++n) {
+    path = folder / (std::to_string(n) + ".mcap");
+    std::stop_source stop;
+    const std::jthread stopping([&](const std::stop_token& ended) {
+      while (!std::filesystem::exists(path) && !ended.stop_requested()) std::this_thread::yield();
+      stop.request_stop();
+    });
+    RecorderOptions options;
+    options.stop = stop.get_token();
+    const Status status = open(std::move(options));
+    EXPECT_EQ(status.ok(), std::filesystem::exists(path)) << n;
+    if (!status) continue;
+    ++opened;
+    EXPECT_TRUE(recorder->finish().ok());
+    const auto file = RoomRecording::open(path);
+    ASSERT_TRUE(file.ok()) << file.error().message;
+    EXPECT_FALSE(file->damage().has_value());
+  }
+  EXPECT_GT(opened, 0);
+}
+
 TEST_F(RecorderTest, a_single_frame_is_on_disk_within_a_second) {
   ASSERT_TRUE(open().ok());
   say_roster();

@@ -9,6 +9,7 @@
 #include "roomcast/core/interruptible_wait.h"
 #include "roomcast/recording/room/recording_cursor.h"
 #include "roomcast/wire/frame_header.h"
+#include "roomcast/wire/parse_message.h"
 #include "roomcast/wire/pose_message.h"
 
 namespace roomcast::recording {
@@ -85,8 +86,7 @@ void RoomPlayer::send_bundles() {
     if (!more || recorded.kind != MessageKind::kBundle) continue;
     wire::pb::CalibrationBundle bundle;
     const auto& data = recorded.message.data;
-    if (bundle.ParseFromArray(data.data(), static_cast<int>(data.size())))
-      bundles[bundle.sensor_id()] = std::move(bundle);
+    if (wire::parse_message(data, bundle)) bundles[bundle.sensor_id()] = std::move(bundle);
   }
   for (const auto& sensor : recording_.sensors()) {
     const auto bundle = bundles.find(sensor.entry.id());

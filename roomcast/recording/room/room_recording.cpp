@@ -9,6 +9,7 @@
 #include "roomcast/recording/room_channels.h"
 #include "roomcast/wire/control_check.h"
 #include "roomcast/wire/frame_header.h"
+#include "roomcast/wire/parse_message.h"
 
 namespace roomcast::recording {
 namespace {
@@ -16,8 +17,7 @@ namespace {
 /// Applies the wire format's validation: the file's contents are untrusted.
 std::optional<wire::pb::Roster> parse_roster(std::span<const std::uint8_t> bytes) {
   wire::pb::Control control;
-  const bool parsed =
-      control.mutable_roster()->ParseFromArray(bytes.data(), static_cast<int>(bytes.size()));
+  const bool parsed = wire::parse_message(bytes, *control.mutable_roster());
   if (!parsed || !wire::check_control(control)) return std::nullopt;
   return std::move(*control.mutable_roster());
 }

@@ -93,7 +93,8 @@ TEST_F(RoomRecordingTest, decodes_from_the_key_frames_before_a_moment) {
     if (decoded++ == 0) first_seq = wire::parse_frame(message.message.data)->seq;
   }
   EXPECT_GE(first_seq, 20u) << "it did not start from the beginning";
-  for (const auto& sensor : state.snapshot()->sensors) {
+  const auto shown = state.snapshot();
+  for (const auto& sensor : shown->sensors) {
     EXPECT_EQ(sensor.picture->seq, 28u);
     EXPECT_EQ(sensor.picture->frame.depth_mm, RecordingFixtureRoom::depth(28));
   }

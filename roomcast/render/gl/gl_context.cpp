@@ -8,6 +8,8 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include "roomcast/render/gl/gl_libraries.h"
+
 namespace roomcast::render {
 namespace {
 
@@ -69,6 +71,7 @@ EGLContext core_context(EGLDisplay display) {
 }  // namespace
 
 Result<EglContext> EglContext::create() {
+  if (auto found = find_gl_libraries(); !found) return found.error();
   const EGLDisplay display = surfaceless_display();
   if (display == EGL_NO_DISPLAY) return no_context("EGL knows no surfaceless platform");
   if (!eglInitialize(display, nullptr, nullptr)) return no_context("EGL did not start");

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "roomcast/client/room/room_snapshot.h"
 #include "roomcast/render/view/offscreen_target.h"
@@ -25,7 +27,8 @@ class PeopleView {
   void set_own(const std::optional<client::PersonPose>& own) { own_ = own; }
   [[nodiscard]] std::span<const Avatar> others() const { return avatars_.shown(); }
 
-  /// Draws over the room in `target`.
+  /// Draws over the room in `target`. Somebody who stands where an eye is would fill the picture
+  /// from within, and is not drawn.
   void draw(const render::Eyes& eyes, const render::OffscreenTarget& target);
 
  private:
@@ -34,7 +37,11 @@ class PeopleView {
 
   BodyRenderer bodies_;
   LabelRenderer labels_;
+  /// Those who do not stand where an eye is.
+  std::span<const Avatar> seen_by(const render::Eyes& eyes);
+
   Avatars avatars_;
+  std::vector<Avatar> seen_;
   std::optional<client::PersonPose> own_;
   Rgb8 own_color_ = {255, 90, 60};
 };

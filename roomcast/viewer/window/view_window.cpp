@@ -10,6 +10,8 @@
 #include <SDL2/SDL.h>
 #include <epoxy/gl.h>
 
+#include "roomcast/render/gl/gl_libraries.h"
+
 namespace roomcast::viewer {
 namespace {
 
@@ -57,6 +59,7 @@ bool has_gl() {
 }  // namespace
 
 Result<std::unique_ptr<ViewWindow>> ViewWindow::open(const ViewWindowOptions& options) {
+  if (auto found = render::find_gl_libraries(); !found) return found.error();
   start_sdl();
   if (SDL_Init(SDL_INIT_VIDEO) != 0) return no_window("there is no display");
   if (!is_visible(SDL_GetCurrentVideoDriver())) {

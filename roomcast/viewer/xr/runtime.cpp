@@ -68,10 +68,11 @@ Result<Runtime> Runtime::open(const char* binding_extension) {
   if (binding_extension != nullptr) wanted.push_back(binding_extension);
   for (const char* name : wanted) {
     if (!is_among(*offered, name)) {
-      return Error{ErrorCode::kUnavailable,
-                   std::string("the headset's software does not offer ") + name +
-                       ", which this window needs; on X11 another driver may help "
-                       "(SDL_VIDEO_X11_FORCE_EGL=0 or 1)"};
+      const bool is_for_egl = name == binding_extension;
+      return unavailable(std::string("the headset's software does not offer ") + name +
+                         (is_for_egl ? ", which this window needs; start the viewer with "
+                                       "SDL_VIDEODRIVER=x11 and without SDL_VIDEO_X11_FORCE_EGL"
+                                     : ", which all windows need"));
     }
   }
   Runtime runtime;

@@ -88,5 +88,15 @@ TEST_F(RuntimeTest, without_a_runtime_the_error_is_a_sentence) {
   EXPECT_EQ(none.error().message.find("no headset software runs here"), 0U) << none.error().message;
 }
 
+// Last: the loader keeps a runtime that it has only asked for its extensions.
+TEST_F(RuntimeTest, without_egl_the_error_names_the_variable_that_helps) {
+  runtime.offers_egl = false;
+  const auto none = Headset::open();
+  ASSERT_FALSE(none.ok());
+  EXPECT_EQ(none.error().message,
+            "the headset's software does not offer XR_MNDX_egl_enable, which this window needs; "
+            "start the viewer with SDL_VIDEODRIVER=x11 and without SDL_VIDEO_X11_FORCE_EGL");
+}
+
 }  // namespace
 }  // namespace roomcast::viewer::xr

@@ -10,6 +10,7 @@ const easing_perS = 14;
 const arrived_m = 1e-4;
 const arrived_rad = 1e-3;
 const pointer_m = 1.5;
+const inTheEye_m = 0.25;
 
 interface Part {
   object: THREE.Object3D;
@@ -159,6 +160,13 @@ export class Avatars {
       for (const part of [head, ...hands]) moving = ease(part, share) || moving;
     }
     return moving;
+  }
+
+  /** Somebody who stands where the eye is would fill the picture from within, and is not drawn. */
+  hideAt(eye: THREE.Vector3): void {
+    for (const { root, head } of this.byViewer.values()) {
+      root.visible = head.object.position.distanceTo(eye) >= inTheEye_m;
+    }
   }
 
   get shown(): number[] {

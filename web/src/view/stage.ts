@@ -128,6 +128,7 @@ export class Stage {
     this.changed = this.newFrames = false;
     this.fit();
     const { width, height } = this.targetSize();
+    this.room.avatars.hideAt(this.camera.position);
     this.room.render(this.camera, width, height);
     if (this.drawing) return this.finish(withFrames); // a headset does not wait; the picture in progress is measured
     this.drawing = true;

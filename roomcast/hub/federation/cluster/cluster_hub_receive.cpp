@@ -5,6 +5,7 @@
 #include "roomcast/hub/federation/cluster/cluster_hub.h"
 #include "roomcast/hub/federation/cluster/revoked_tokens.h"
 #include "roomcast/hub/federation/cluster/subjects.h"
+#include "roomcast/wire/parse_message.h"
 
 namespace roomcast::hub::federation {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 template <class Message>
 std::optional<Message> read(std::span<const std::uint8_t> bytes) {
   Message message;
-  if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return std::nullopt;
+  if (!wire::parse_message(bytes, message)) return std::nullopt;
   return message;
 }
 

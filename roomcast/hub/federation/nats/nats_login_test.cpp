@@ -4,6 +4,7 @@
 #include "roomcast/hub/federation/nats/nats_login.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include <boost/asio/executor_work_guard.hpp>
@@ -25,10 +26,12 @@ class Answerer {
         socket_(io),
         greeting_(std::move(greeting)),
         answer_(std::move(answer)) {
-    acceptor_.async_accept(socket_, [this](auto error) {
-      if (error) return;
+    // Handlers may come after the server has gone.
+    acceptor_.async_accept(socket_, [this, here = std::weak_ptr(here_)](auto error) {
+      if (error || here.expired()) return;
       asio::write(socket_, asio::buffer(greeting_), ignored_);
-      socket_.async_read_some(asio::buffer(heard_), [this](auto end, std::size_t size) {
+      socket_.async_read_some(asio::buffer(heard_), [this, here](auto end, std::size_t size) {
+        if (here.expired()) return;
         received.assign(heard_.data(), end ? 0 : size);
         asio::write(socket_, asio::buffer(answer_), ignored_);
       });
@@ -46,6 +49,7 @@ class Answerer {
   const std::string greeting_, answer_;
   std::array<char, 4096> heard_{};
   boost::system::error_code ignored_;
+  std::shared_ptr<int> here_ = std::make_shared<int>();
 };
 
 constexpr char kInfo[] = "INFO {\"max_payload\": 1000, \"nonce\": \"n\"}\r\n";

@@ -16,8 +16,9 @@ namespace {
 using XrAnswer = XrResult;
 
 std::vector<std::string> offered() {
-  std::vector<std::string> names = {"XR_KHR_opengl_enable", "XR_MNDX_egl_enable"};
+  std::vector<std::string> names = {"XR_KHR_opengl_enable"};
   const TestRuntime& runtime = TestRuntime::instance();
+  if (runtime.offers_egl) names.emplace_back("XR_MNDX_egl_enable");
   if (runtime.offers_depth) names.emplace_back("XR_KHR_composition_layer_depth");
   names.insert(names.end(), runtime.more_extensions.begin(), runtime.more_extensions.end());
   return names;

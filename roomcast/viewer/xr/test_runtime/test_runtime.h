@@ -70,6 +70,7 @@ class TestRuntime {
   bool service_runs = true;  // else no instance can be created
   bool is_connected = true;  // whether there is a headset
   bool offers_depth = true;
+  bool offers_egl = true;
   std::vector<std::string> more_extensions;  // offered, too
   std::vector<XrReferenceSpaceType> spaces = {
       XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL, XR_REFERENCE_SPACE_TYPE_STAGE};
