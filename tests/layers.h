@@ -92,8 +92,8 @@ inline const std::vector<Layer> kLayers = {
     {"recording/playback",
      "client/room codec core io recording/dataset recording/room source wire"},
     {"recording/import",
-     "core geometry io recording/bytes recording/dataset recording/matroska recording/playback recording/ros "
-     "recording/rosbag source"},
+     "core geometry io recording/bytes recording/dataset recording/matroska recording/mcap recording/playback "
+     "recording/ros recording/rosbag source"},
     {"recording/frame_sets",
      "client/room codec core geometry recording/playback recording/room wire",
      "recording/dataset"},

@@ -246,9 +246,10 @@ void add_demo_command(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   add_codec_options(*command, options->codec);
   command->add_option("--rig", options->rig, "Play this recorded rig instead");
-  command->add_option("--source", options->sources,
-                      "Play these sources instead, as one room: mkv:FILE, rig:DIR#s0, tum:DIR, "
-                      "sim[:scene][#n]");
+  command->add_option(
+      "--source", options->sources,
+      "Play these sources instead, as one room: mkv:FILE, bag:FILE, rig:DIR#s0, tum:DIR, "
+      "sim[:scene][#n]");
   add_clock_option(*command, options->clock);
   command->add_option("--port", options->port, "Port of page and hub; 0 takes any free one")
       ->check(within(0, 65'535))

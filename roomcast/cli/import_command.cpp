@@ -42,8 +42,6 @@ Result<Found> find_sensors(const std::vector<std::string>& paths) {
     auto files = recording::open_any(*path);
     if (!files) return files.error();
     for (auto& file : *files) {
-      for (const std::string& note : file->info().notes)
-        print_err("roomcast import: {}: {}\n", *path, note);
       found.names.push_back(file->info().description.name);
       found.places.push_back(*path);
       found.files.push_back(std::move(file));
@@ -72,6 +70,8 @@ void report(const ImportOptions& options, const Found& found,
             const recording::RoomTimeline& timeline) {
   nlohmann::json list = nlohmann::json::array();
   for (std::size_t i = 0; i < sensors.size(); ++i) {
+    for (const std::string& note : found.files[i]->info().notes)
+      print_err("roomcast import: {}: {}\n", found.places[i], note);
     if (sensors[i].damaged > 0) {
       print_err("roomcast import: {} of {} frames of {} are damaged; the first: {}\n",
                 sensors[i].damaged, found.files[i]->info().times.size(), sensors[i].name,
@@ -138,7 +138,8 @@ void add_import_command(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
-      "Formats: recordings of Azure Kinects (.mkv of k4arecorder).\n"
+      "Formats: .mkv of k4arecorder (Azure Kinect), .bag of RealSense cameras and of ROS 1,\n"
+      ".mcap and .db3 of ROS 2, .sens of ScanNet, folders of pictures with a recording.toml.\n"
       "Example:\n"
       "  roomcast import left.mkv right.mkv lab\n"
       "  roomcast demo --rig lab");

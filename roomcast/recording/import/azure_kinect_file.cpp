@@ -51,6 +51,8 @@ std::optional<std::uint32_t> track_named(const FileIndex& index, std::string_vie
 /// The format of a track: the four characters in its BITMAPINFOHEADER.
 std::optional<PixelFormat> format_of(const Track& track) {
   constexpr std::size_t kCompressionAt = 16;
+  if (track.codec == "V_MJPEG" && !track.is_encoded)
+    return PixelFormat::kJpeg;  // of other programs
   if (track.is_encoded || track.codec_private.size() < kCompressionAt + 4) return std::nullopt;
   const std::string_view four(
       reinterpret_cast<const char*>(track.codec_private.data()) + kCompressionAt, 4);

@@ -11,7 +11,9 @@
 
 #include "roomcast/recording/bytes/byte_source.h"
 #include "roomcast/recording/import/azure_kinect_file.h"
+#include "roomcast/recording/import/picture_folder.h"
 #include "roomcast/recording/import/ros_recording.h"
+#include "roomcast/recording/import/scannet_file.h"
 
 namespace roomcast::recording {
 namespace {
@@ -31,15 +33,20 @@ using Open = Result<SensorFiles> (*)(const fs::path&);
 
 struct Kind {
   std::string_view name;
-  std::string_view magic;   // its files begin so; empty for folders
-  std::string_view ending;  // and end so, if several kinds share the beginning
+  std::string_view magic;   // its files begin so
+  std::string_view ending;  // and their names end so
   Open open;
 };
 
-const std::array<Kind, 2> kKinds = {{
+const std::array<Kind, 6> kKinds = {{
     {"mkv", "\x1A\x45\xDF\xA3", "",
      [](const fs::path& p) { return alone(open_azure_kinect_file(p)); }},
     {"bag", "#ROSBAG V", "", open_ros1_bag},
+    {"ros2", "\x89MCAP", "", open_ros2_recording},
+    {"ros2", "SQLite format 3", "", open_ros2_recording},
+    {"sens", std::string_view("\4\0\0\0", 4), ".sens",
+     [](const fs::path& p) { return alone(open_scannet_file(p)); }},
+    {"pictures", "", kPictureFolderFile, open_picture_folder},
 }};
 
 const Kind* kind_of_name(std::string_view name) {
@@ -87,6 +94,8 @@ Result<SensorFiles> open_folder(const fs::path& folder) {
   const auto paths = files_in(folder);
   if (!paths) return paths.error();
   SensorFiles all;
+  if (std::ranges::find(*paths, folder / kPictureFolderFile) != paths->end())
+    return open_picture_folder(folder);
   for (const fs::path& path : *paths) {
     const Kind* const kind = kind_of_file(path);
     if (kind == nullptr) continue;

@@ -3,10 +3,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/io/image_file.h"
 #include "roomcast/recording/dataset/recording_fixture.h"
+#include "roomcast/recording/mcap/writer.h"
 #include "roomcast/recording/ros/ros_fixture.h"
 #include "roomcast/recording/rosbag/bag_fixture.h"
 
@@ -118,6 +120,79 @@ TEST(RosRecording, a_cut_bag_is_read_up_to_there) {
   EXPECT_FALSE((*files)[0]->info().notes.empty());
   DepthImage depth;
   EXPECT_TRUE((*files)[0]->read_depth(0, depth).ok());
+}
+
+struct Ros2Message {
+  std::string topic, type;
+  nanoseconds time;
+  std::string data;
+};
+
+/// One depth picture and its camera, in CDR.
+std::vector<Ros2Message> ros2_messages() {
+  constexpr auto kRos2 = Serialisation::kRos2;
+  return {{"/cam/depth/camera_info", "sensor_msgs/msg/CameraInfo", kBegin,
+           ros::camera_info_message(kRos2, "d", 3, 2, 5, "plumb_bob", {})},
+          {"/cam/depth/image_raw", "sensor_msgs/msg/Image", kBegin,
+           ros::image_message(kRos2, kBegin, "d", 3, 2, "16UC1", 6, depth_bytes(1))}};
+}
+
+void expect_ros2_camera(const std::filesystem::path& path) {
+  const auto files = open_ros2_recording(path);
+  ASSERT_TRUE(files.ok()) << files.error().message;
+  ASSERT_EQ(files->size(), 1U);
+  EXPECT_EQ((*files)[0]->info().times[0], kBegin);
+  DepthImage depth;
+  ASSERT_TRUE((*files)[0]->read_depth(0, depth).ok());
+  EXPECT_EQ(depth.at(2, 1), 1005);
+}
+
+TEST(RosRecording, ros_2_in_mcap_is_read) {
+  const TemporaryFolder folder;
+  auto writer = mcap::Writer::create(folder / "a.mcap");
+  ASSERT_TRUE(writer.ok());
+  for (const Ros2Message& message : ros2_messages()) {
+    const auto schema = writer->add_schema(message.type, "ros2msg", {});
+    const auto channel = writer->add_channel(schema, message.topic, "cdr", {});
+    const auto* const bytes = reinterpret_cast<const std::uint8_t*>(message.data.data());
+    ASSERT_TRUE(
+        writer->add_message({channel, 0, message.time, message.time, {bytes, message.data.size()}})
+            .ok());
+  }
+  ASSERT_TRUE(writer->finish().ok());
+  expect_ros2_camera(folder / "a.mcap");
+  expect_ros2_camera(folder.path());  // as the folder that rosbag2 makes
+}
+
+TEST(RosRecording, ros_2_in_sqlite_is_read) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "a_0.db3";
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
+  std::string sql =
+      "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT,"
+      " offered_qos_profiles TEXT); CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER,"
+      " timestamp INTEGER, data BLOB);";
+  int id = 0;
+  for (const Ros2Message& message : ros2_messages()) {
+    std::string hex;
+    for (const char c : message.data) {
+      constexpr const char* kDigits = "0123456789ABCDEF";
+      const auto byte = static_cast<unsigned char>(c);
+      hex += {kDigits[byte >> 4U], kDigits[byte & 15U]};
+    }
+    ++id;
+    sql += "INSERT INTO topics VALUES(" + std::to_string(id) + ",'" + message.topic + "','" +
+           message.type + "','cdr',''); INSERT INTO messages VALUES(" + std::to_string(id) + "," +
+           std::to_string(id) + "," + std::to_string(message.time.count()) + ",x'" + hex + "');";
+  }
+  ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(database);
+  expect_ros2_camera(path);
+  truncate_file(path, 0.5);
+  (void)open_ros2_recording(path);  // read in part, or refused
+  put_text(path, std::string("SQLite format 3\0", 16) + std::string(5000, 'x'));
+  EXPECT_EQ(open_ros2_recording(path).error().code, ErrorCode::kMalformed);
 }
 
 /// Real: a D435, recorded by librealsense. The pictures beside it were extracted by its authors.

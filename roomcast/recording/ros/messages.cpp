@@ -6,7 +6,7 @@
 namespace roomcast::recording::ros {
 namespace {
 
-constexpr std::size_t kLeastTransformBytes = 64;
+constexpr std::size_t kMinTransformBytes = 64;
 
 TransformMessage take_transform(MessageReader& reader) {
   TransformMessage transform;
@@ -77,7 +77,7 @@ std::optional<TransformMessage> read_transform(ByteView message, Serialisation f
 
 std::optional<std::vector<StampedTransform>> read_transforms(ByteView message, Serialisation from) {
   MessageReader reader(message, from);
-  const std::uint32_t count = reader.count(kLeastTransformBytes);
+  const std::uint32_t count = reader.count(kMinTransformBytes);
   if (count > kMaxTransforms) return std::nullopt;
   std::vector<StampedTransform> transforms;
   for (std::uint32_t i = 0; i < count && reader.ok(); ++i) {
