@@ -102,6 +102,14 @@ test('recordings play as one room without being imported', async (t) => {
   assert.match(demo.stderr, /joined by the time of day/);
 });
 
+test('info lists a recording of another program', async (t) => {
+  const file = writeAzureKinect(scratchFolder(t), 'a', { frames: 3 });
+  const info = await run('info', file, '--json');
+  assert.equal(info.code, 0, info.stderr);
+  const [sensor] = JSON.parse(info.stdout).sensors;
+  assert.deepEqual([sensor.id, sensor.frames, sensor.depth_size], ['a', 3, [320, 288]]);
+});
+
 test('recordings of different days are one room only if they are told to begin together', async (t) => {
   const folder = scratchFolder(t);
   const files = [writeAzureKinect(folder, 'a', { frames: 2 }), writeAzureKinect(folder, 'b', { frames: 2, time: '2024-01-02T10:00:00Z' })];

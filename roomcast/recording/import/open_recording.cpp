@@ -120,6 +120,11 @@ bool is_import_kind(std::string_view kind) {
   return kind_of_name(kind) != nullptr;
 }
 
+std::string_view import_kind_of(const fs::path& file) {
+  const Kind* const kind = kind_of_file(file);
+  return kind != nullptr ? kind->name : std::string_view();
+}
+
 Result<SensorFiles> open_recording(std::string_view kind, const fs::path& path) {
   const Kind* const known = kind_of_name(kind);
   if (known == nullptr)

@@ -19,6 +19,9 @@ using SensorFiles = std::vector<std::unique_ptr<SensorFile>>;
 /// "mkv", "bag", ...: the kinds of open_recording.
 [[nodiscard]] bool is_import_kind(std::string_view kind);
 
+/// The kind of a file by its content; empty if no format is recognised.
+[[nodiscard]] std::string_view import_kind_of(const std::filesystem::path& file);
+
 /// All sensors of a recording. kNotFound; kMalformed, kUnsupported, kTooLarge with file and
 /// problem; kInvalidArgument for an unknown kind.
 [[nodiscard]] Result<SensorFiles> open_recording(std::string_view kind,

@@ -59,6 +59,8 @@ TEST(OpenRecording, what_is_no_recording_is_refused) {
   EXPECT_EQ(open_any(folder.path()).error().code, ErrorCode::kUnsupported);
   EXPECT_EQ(open_recording("mkv", folder / "empty.mkv").error().code, ErrorCode::kMalformed);
   EXPECT_EQ(open_recording("vhs", folder / "a.txt").error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(import_kind_of(write_azure(folder / "b", "7")), "mkv");
+  EXPECT_EQ(import_kind_of(folder / "a.txt"), "");
   EXPECT_TRUE(is_import_kind("mkv"));
   EXPECT_FALSE(is_import_kind("rig"));
 }
