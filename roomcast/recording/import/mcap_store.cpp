@@ -10,12 +10,6 @@ namespace {
 
 constexpr std::size_t kMaxRos2Messages = 8U << 20U;
 
-/// "sensor_msgs/Image" of "sensor_msgs/msg/Image".
-std::string ros1_type(const std::string& type) {
-  const std::size_t at = type.find("/msg/");
-  return at == std::string::npos ? type : type.substr(0, at) + type.substr(at + 4);
-}
-
 struct ChunkPlace {
   std::uint32_t chunk = 0, number = 0;  // of the message in its chunk
 };

@@ -23,6 +23,12 @@ struct RosMessage {
   nanoseconds time{};       // at which it was recorded
 };
 
+/// "sensor_msgs/Image" of ROS 2's "sensor_msgs/msg/Image".
+[[nodiscard]] inline std::string ros1_type(const std::string& type) {
+  const std::size_t at = type.find("/msg/");
+  return at == std::string::npos ? type : type.substr(0, at) + type.substr(at + 4);
+}
+
 class RosStore {
  public:
   virtual ~RosStore() = default;

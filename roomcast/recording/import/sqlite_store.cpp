@@ -30,11 +30,6 @@ std::string column_text(sqlite3_stmt* statement, int column) {
              : std::string(reinterpret_cast<const char*>(text), static_cast<std::size_t>(bytes));
 }
 
-std::string without_msg(const std::string& type) {
-  const std::size_t at = type.find("/msg/");
-  return at == std::string::npos ? type : type.substr(0, at) + type.substr(at + 4);
-}
-
 class SqliteStore final : public RosStore {
  public:
   explicit SqliteStore(Database database) : database_(std::move(database)) {}
@@ -46,7 +41,7 @@ class SqliteStore final : public RosStore {
     while (sqlite3_step(topics.get()) == SQLITE_ROW && topics_.size() < kMaxTopics) {
       if (column_text(topics.get(), 3) != "cdr") continue;
       topic_of[sqlite3_column_int64(topics.get(), 0)] = static_cast<std::uint32_t>(topics_.size());
-      topics_.push_back({column_text(topics.get(), 1), without_msg(column_text(topics.get(), 2))});
+      topics_.push_back({column_text(topics.get(), 1), ros1_type(column_text(topics.get(), 2))});
     }
     const Statement rows = prepared("SELECT id, topic_id, timestamp FROM messages ORDER BY id");
     if (!rows) return not_ros();
