@@ -181,7 +181,7 @@ class Finder {
     const nanoseconds recorded = store.messages()[depth.messages.front()].time;
     if (stamp > kYear2000) {
       clock.utc_minus_device = nanoseconds(0);
-    } else if (recorded > kYear2000) {
+    } else if (recorded > kYear2000 && recorded < kMaxRosTime) {
       clock.utc_minus_device = recorded - stamp;
       clock.utc_error = kReceivingError;
     }

@@ -116,7 +116,9 @@ Result<RosStream> read_ros_stream(RosStore& store, std::uint32_t topic) {
       if (stream.is_compressed ? !compressed : !raw) continue;
       stream.encoding = stream.is_compressed ? compressed->format : raw->encoding;
     }
-    stamped.push_back({header.stamp.count() > 0 ? header.stamp : store.messages()[i].time, i});
+    const nanoseconds recorded = store.messages()[i].time;
+    const nanoseconds stamp = header.stamp.count() > 0 ? header.stamp : recorded;
+    if (stamp.count() >= 0 && stamp < kMaxRosTime) stamped.push_back({stamp, i});
   }
   if (stamped.empty()) return last;
   std::ranges::stable_sort(stamped, {}, &Stamped::stamp);

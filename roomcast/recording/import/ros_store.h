@@ -18,6 +18,9 @@ struct RosTopic {
   std::string type;  // as ROS 1 names it: "sensor_msgs/Image"
 };
 
+/// Times of messages and stamps outside 0 to this (the year 2106) are no times.
+inline constexpr nanoseconds kMaxRosTime = std::chrono::seconds(4'294'967'296);
+
 struct RosMessage {
   std::uint32_t topic = 0;  // index in topics()
   nanoseconds time{};       // at which it was recorded
