@@ -21,7 +21,7 @@ namespace roomcast::recording {
 namespace {
 
 constexpr std::uint32_t kScanNetVersion = 4;
-constexpr std::uint64_t kMaxNameBytes = 4096;
+constexpr std::uint64_t kMaxRecordedNameBytes = 4096;
 constexpr std::size_t kMatrixBytes = 64;
 constexpr std::size_t kFrameHeadBytes = kMatrixBytes + 4 * 8;  // pose, two times, two sizes
 constexpr std::uint64_t kMaxPictureBytes = 256U << 20U;
@@ -135,7 +135,7 @@ Result<ScanNetIndex> index_scannet(const ByteSource& source) {
   Numbers numbers(head.data());
   const std::uint32_t version = numbers.u32();
   const std::uint64_t name_bytes = numbers.u64();
-  if (version != kScanNetVersion || name_bytes > kMaxNameBytes)
+  if (version != kScanNetVersion || name_bytes > kMaxRecordedNameBytes)
     return Error{ErrorCode::kUnsupported, "it is not a recording of ScanNet, version 4"};
   std::string name(static_cast<std::size_t>(name_bytes), '\0');
   const std::span<std::uint8_t> into(reinterpret_cast<std::uint8_t*>(name.data()), name.size());
