@@ -9,7 +9,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace roomcast::recording::mcap;
-  const auto reader = Reader::read(bytes_in_memory({data, data + size}), "fuzz");
+  const auto reader =
+      Reader::read(roomcast::recording::bytes_in_memory({data, data + size}), "fuzz");
   if (!reader) return 0;
   const std::size_t chunks = std::min<std::size_t>(reader->summary().chunks.size(), 16);
   for (std::size_t i = 0; i < chunks; ++i) {

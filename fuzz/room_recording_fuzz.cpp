@@ -9,7 +9,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace roomcast;
   auto file =
-      recording::mcap::Reader::read(recording::mcap::bytes_in_memory({data, data + size}), "fuzz");
+      recording::mcap::Reader::read(recording::bytes_in_memory({data, data + size}), "fuzz");
   if (!file || file->summary().chunks.size() > 64) return 0;
   const auto recording = recording::RoomRecording::from(std::move(*file));
   if (!recording) return 0;

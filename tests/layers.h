@@ -76,13 +76,24 @@ inline const std::vector<Layer> kLayers = {
      ""},
     {"recording/dataset",
      "core geometry io source"},
+    {"recording/bytes",
+     "core"},
     {"recording/mcap",
+     "core recording/bytes"},
+    {"recording/matroska",
+     "core recording/bytes"},
+    {"recording/rosbag",
+     "core recording/bytes"},
+    {"recording/ros",
      "core"},
     {"recording/room",
      "core recording recording/mcap wire",
      "client/room codec"},
     {"recording/playback",
      "client/room codec core io recording/dataset recording/room source wire"},
+    {"recording/import",
+     "core geometry io recording/bytes recording/dataset recording/matroska recording/mcap recording/playback "
+     "recording/ros recording/rosbag source"},
     {"recording/frame_sets",
      "client/room codec core geometry recording/playback recording/room wire",
      "recording/dataset"},
@@ -175,8 +186,8 @@ inline const std::vector<Layer> kLayers = {
      "alignment/feature alignment/motion hub/server recording/dataset sensor"},
     {"sensor",
      "alignment/board alignment/bundle alignment/motion alignment/person "
-     "alignment/service client codec core geometry io recording/playback simulator source "
-     "source/camera source/drivers wire",
+     "alignment/service client codec core geometry io recording/import recording/playback simulator "
+     "source source/camera source/drivers wire",
      "alignment/feature recording/dataset"},
     {"viewer/walk",
      "client/room core geometry",
@@ -232,8 +243,8 @@ inline const std::vector<Layer> kLayers = {
     {"web/wasm",
      "core codec codec/color codec/lossless codec/live codec/mask codec/payload"},
     {"fuzz",
-     "core geometry codec codec/lossless codec/live codec/mask codec/payload wire net client/room recording/mcap "
-     "recording/room capi hub/federation/cluster hub/federation/nats"},
+     "core geometry codec codec/lossless codec/live codec/mask codec/payload wire net client/room recording/bytes "
+     "recording/matroska recording/mcap recording/room recording/ros recording/rosbag capi hub/federation/cluster hub/federation/nats"},
     {"bench",
      "*"},
 };

@@ -32,6 +32,7 @@ void add_calibrate_command(CLI::App& app, Command& chosen);
 void add_devices_command(CLI::App& app, Command& chosen);
 void add_record_command(CLI::App& app, Command& chosen);
 void add_play_command(CLI::App& app, Command& chosen);
+void add_import_command(CLI::App& app, Command& chosen);
 void add_info_command(CLI::App& app, Command& chosen);
 void add_export_command(CLI::App& app, Command& chosen);
 void add_measure_command(CLI::App& app, Command& chosen);

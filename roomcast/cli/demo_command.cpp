@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "roomcast/cli/clock_option.h"
 #include "roomcast/cli/codec_option.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/number_option.h"
@@ -32,12 +33,14 @@ namespace {
 
 using namespace std::chrono_literals;
 using Feeds = std::vector<std::unique_ptr<sensor::SensorFeed>>;
+using Source = std::unique_ptr<source::FrameSource>;
 
 struct DemoOptions {
   int sensors = 3;
   std::string scene;
   std::string rig;
   std::vector<std::string> sources;
+  recording::JoiningClock clock = recording::JoiningClock::kAutomatic;
   double sim_fps = 15;
   sensor::CodecChoice codec;
   int port = 7600;
@@ -66,6 +69,12 @@ Result<std::vector<std::string>> source_specs(const DemoOptions& options) {
   return specs;
 }
 
+void tell_of_recordings(const sensor::RecordedRoom& room) {
+  for (const std::string& note : room.notes) print_err("roomcast demo: {}\n", note);
+  if (!room.clock.empty())
+    print_err("roomcast demo: the recordings are joined by {}\n", room.clock);
+}
+
 Result<Feeds> start_feeds(const DemoOptions& options, const std::vector<std::string>& specs,
                           std::uint16_t port, const std::stop_token& stop) {
   StatusLine line;
@@ -74,18 +83,26 @@ Result<Feeds> start_feeds(const DemoOptions& options, const std::vector<std::str
   source_options.sim_fps = options.sim_fps;
   source_options.sim_sensor_count = options.sensors;
   source_options.stop = stop;
-  for (const auto& spec : specs) {
+  auto recorded = sensor::open_recorded_room(specs, source_options, options.clock);
+  if (!recorded) return recorded.error();
+  tell_of_recordings(*recorded);
+  for (std::size_t i = 0; i < specs.size(); ++i) {
+    const std::string& spec = specs[i];
     if (stop.stop_requested()) break;
-    line.show(fmt::format("starting sensor {} of {}: {}", feeds.size() + 1, specs.size(), spec));
-    auto source = sensor::open_source(spec, source_options);
-    if (!source && stop.stop_requested()) break;
-    if (!source) return source.error();
+    line.show(fmt::format("starting sensor {} of {}: {}", i + 1, specs.size(), spec));
+    Source source = std::move(recorded->sources[i]);
+    if (!source) {
+      auto opened = sensor::open_source(spec, source_options);
+      if (!opened && stop.stop_requested()) break;
+      if (!opened) return opened.error();
+      source = *std::move(opened);
+    }
     sensor::SensorFeedOptions feed_options;
     feed_options.hub_url = fmt::format("ws://127.0.0.1:{}", port);
     feed_options.codec = options.codec;
     feed_options.send_pose = options.true_poses || !spec.starts_with("sim");
     feed_options.log = stderr_log("demo", options.verbose);
-    auto feed = sensor::SensorFeed::start(std::move(*source), std::move(feed_options));
+    auto feed = sensor::SensorFeed::start(std::move(source), std::move(feed_options));
     if (!feed) return feed.error();
     feeds.push_back(std::move(*feed));
   }
@@ -229,8 +246,11 @@ void add_demo_command(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   add_codec_options(*command, options->codec);
   command->add_option("--rig", options->rig, "Play this recorded rig instead");
-  command->add_option("--source", options->sources,
-                      "Play these sources instead: rig:DIR#s0, tum:DIR, sim[:scene][#n]");
+  command->add_option(
+      "--source", options->sources,
+      "Play these sources instead, as one room: mkv:FILE, bag:FILE, rig:DIR#s0, tum:DIR, "
+      "sim[:scene][#n]");
+  add_clock_option(*command, options->clock);
   command->add_option("--port", options->port, "Port of page and hub; 0 takes any free one")
       ->check(within(0, 65'535))
       ->capture_default_str();
@@ -250,7 +270,9 @@ void add_demo_command(CLI::App& app, Command& chosen) {
                       "Folder for recordings by admins (default: "
                       "~/.local/state/roomcast/recordings)");
   command->add_flag("--verbose", options->verbose, "Log joins and leaves");
-  command->footer("Example:\n  roomcast demo\n  roomcast demo --rig recordings/lab");
+  command->footer(
+      "Examples:\n  roomcast demo\n  roomcast demo --rig recordings/lab\n"
+      "  roomcast demo --source mkv:left.mkv --source mkv:right.mkv");
   command->callback(
       [options, &chosen] { chosen = [options] { return finish("demo", run_demo(*options)); }; });
 }

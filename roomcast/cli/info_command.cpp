@@ -19,6 +19,7 @@
 #include "roomcast/recording/dataset/recording.h"
 #include "roomcast/recording/export/thumbnail_strip.h"
 #include "roomcast/recording/frame_sets/frame_set_reader.h"
+#include "roomcast/recording/import/open_recording.h"
 #include "roomcast/recording/playback/replay_source.h"
 #include "roomcast/recording/room/room_recording.h"
 #include "roomcast/sensor/frame_log.h"
@@ -42,8 +43,28 @@ struct SensorInfo {
   std::vector<std::uint32_t> depth_crc32;
 };
 
+/// Of a recording of another program.
+Result<std::vector<std::string>> specs_of_import(std::string_view kind, const std::string& file) {
+  const auto files = recording::open_recording(kind, file);
+  if (!files) return files.error();
+  std::vector<std::string> specs;
+  for (const auto& sensor : *files) {
+    const std::string& name = sensor->info().description.name;
+    specs.push_back(std::string(kind) + ":" + file + "#" + name);
+    for (const std::string& note : sensor->info().notes)
+      print_err("roomcast info: {}: {}\n", name, note);
+  }
+  return specs;
+}
+
 Result<std::vector<std::string>> specs_of_file(const std::string& file) {
   auto names = recording::replay_sensor_names(file);
+  const std::string_view kind = names ? std::string_view() : recording::import_kind_of(file);
+  if (!kind.empty()) {
+    auto specs = specs_of_import(kind, file);
+    // An MCAP file that is neither may be a damaged recording of a room.
+    if (specs || kind != "ros2") return specs;
+  }
   if (!names) return names.error();
   std::vector<std::string> specs;
   for (const auto& name : *names) specs.push_back("mcap:" + file + "#" + name);
@@ -207,7 +228,8 @@ void add_info_command(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("info", "Read a whole recording and describe it");
   command
       ->add_option("recording", options->recording,
-                   "FILE.mcap, or the folder of a rig or of a TUM recording")
+                   "FILE.mcap, the folder of a rig or of a TUM recording, or a recording of "
+                   "another program")
       ->required();
   command->add_flag("--json", options->json, "Print JSON, with a CRC-32 of every depth picture");
   command->add_option("--thumbnails", options->thumbnails,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Opens the FrameSource that a SPEC on the command line names:
 // sim[:scene][#sensor]  rig:DIR#s0  tum:DIR  mcap:FILE#s0
+// recordings of other programs (recording/import/open_recording.h): mkv:FILE  bag:FILE#camera
+// ros2:FILE#camera  sens:FILE  pictures:DIR#name
 // freenect:0  openni2:[URI or FILE.oni]  realsense:[SERIAL]  freenect2:[SERIAL]  k4a:[SERIAL]
 #pragma once
 
@@ -12,6 +14,7 @@
 
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
+#include "roomcast/recording/import/room_timeline.h"
 #include "roomcast/source/camera/camera_settings.h"
 #include "roomcast/source/frame_source.h"
 
@@ -34,5 +37,18 @@ struct SourceOptions {
 /// with_calibration.
 [[nodiscard]] Result<std::unique_ptr<source::FrameSource>> open_source(
     const std::string& spec, const SourceOptions& options = {});
+
+/// The recordings of other programs among `specs`, as sources of one room: their clocks are joined
+/// (recording/import/room_timeline.h), and their names are unique.
+struct RecordedRoom {
+  std::vector<std::unique_ptr<source::FrameSource>> sources;  // as `specs`; null for other kinds
+  std::string clock;  // what joined them, as the end of a sentence; empty for one or none
+  std::vector<std::string> notes;  // of the recordings, as sentences
+};
+
+/// Errors of recording::open_sensor and recording::join_clocks.
+[[nodiscard]] Result<RecordedRoom> open_recorded_room(const std::vector<std::string>& specs,
+                                                      const SourceOptions& options,
+                                                      recording::JoiningClock clock);
 
 }  // namespace roomcast::sensor

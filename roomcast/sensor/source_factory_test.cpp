@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/io/file_bytes.h"
 #include "roomcast/recording/dataset/recording.h"
 #include "roomcast/recording/dataset/recording_fixture.h"
+#include "roomcast/recording/import/azure_kinect_fixture.h"
 
 namespace roomcast::sensor {
 namespace {
@@ -52,6 +54,24 @@ TEST(SourceFactory, a_folder_that_is_not_named_or_not_there_is_refused) {
   const auto recorded = open_source("mcap:/nowhere.mcap#s0");
   ASSERT_FALSE(recorded.ok());
   EXPECT_EQ(recorded.error().message.find('#'), std::string::npos) << recorded.error().message;
+}
+
+TEST(SourceFactory, recordings_of_other_programs_open_alone_or_as_one_room) {
+  const TemporaryFolder folder;
+  recording::AzureFixture made;
+  made.color = "";
+  ASSERT_TRUE(io::write_file(folder / "a.mkv", recording::azure_recording(made)).ok());
+  const std::string spec = "mkv:" + (folder / "a.mkv").string();
+  expect_opens(spec, "000123");
+  expect_opens(spec + "#000123", "000123");
+  EXPECT_EQ(open_source(spec + "#other").error().code, ErrorCode::kNotFound);
+  const auto room =
+      open_recorded_room({"sim#0", spec, spec}, kFastOnce, recording::JoiningClock::kAutomatic);
+  ASSERT_TRUE(room.ok()) << room.error().message;
+  EXPECT_EQ(room->sources[0], nullptr);
+  EXPECT_EQ(room->sources[1]->description().name, "000123");
+  EXPECT_EQ(room->sources[2]->description().name, "000123-2");
+  EXPECT_FALSE(room->clock.empty());
 }
 
 TEST(SourceFactory, lists_the_sensors_of_a_rig) {

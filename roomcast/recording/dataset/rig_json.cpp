@@ -10,7 +10,7 @@ namespace roomcast::recording {
 namespace {
 
 constexpr int kVersion = 1;
-constexpr double kLargestClockOffset_s = 1e9;
+constexpr double kLargestClockOffset_s = 4e9;  // a device time from 0 against the time of day
 constexpr double kLargestRate_ppm = 1e4;
 constexpr std::uint64_t kLargestFrameNumber = 1U << 31U;
 

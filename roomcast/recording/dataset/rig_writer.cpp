@@ -76,17 +76,17 @@ std::string list_line(nanoseconds timestamp, const std::string& file) {
   return tum_seconds(timestamp) + " " + file;
 }
 
-Status check_frame(const SensorCalibration& calibration, const source::CapturedFrame& frame) {
-  const auto is = [](const auto& image, const CameraIntrinsics& camera) {
-    return image.width() == camera.width && image.height() == camera.height;
-  };
-  if (!is(frame.depth_mm, calibration.depth)) {
+template <class Picture>
+bool has_size(const Picture& picture, const CameraIntrinsics& camera) {
+  return picture.width() == camera.width && picture.height() == camera.height;
+}
+
+Status write_depth(const fs::path& folder, const CameraIntrinsics& camera,
+                   const source::CapturedFrame& frame) {
+  if (!has_size(frame.depth_mm, camera)) {
     return invalid("the depth picture differs in size from its calibration");
   }
-  if (!frame.color.empty() && !is(frame.color, calibration.color)) {
-    return invalid("the colour picture differs in size from its calibration");
-  }
-  return {};
+  return io::write_depth_png(folder / numbered(frame.index, "depth", ".png"), frame.depth_mm);
 }
 
 }  // namespace
@@ -133,7 +133,8 @@ Status RigWriter::write_cameras() const {
   for (const RigSensor& sensor : sensors_) {
     const fs::path folder = directory_ / sensor.description.name;
     if (Status status = make_sensor_folders(folder); !status.ok()) return status;
-    const std::string text = io::camera_json_text(sensor.description.calibration);
+    const std::string text = io::camera_json_text(io::RecordedCamera{
+        .calibration = sensor.description.calibration, .has_color = sensor.has_color});
     if (Status status = io::write_file(folder / "camera.json", text); !status.ok()) return status;
   }
   return {};
@@ -167,13 +168,25 @@ void RigWriter::note_written(Progress& progress, std::uint64_t index) {
 Status RigWriter::write_pictures(std::size_t sensor, const source::CapturedFrame& frame) const {
   ROOMCAST_ASSERT(sensor < sensors_.size());
   const source::SensorDescription& description = sensors_[sensor].description;
-  if (Status status = check_frame(description.calibration, frame); !status.ok()) return status;
+  if (!frame.color.empty() && !has_size(frame.color, description.calibration.color)) {
+    return invalid("the colour picture differs in size from its calibration");
+  }
   const fs::path folder = directory_ / description.name;
-  const fs::path depth = folder / numbered(frame.index, "depth", ".png");
-  if (Status status = io::write_depth_png(depth, frame.depth_mm); !status.ok()) return status;
+  if (Status status = write_depth(folder, description.calibration.depth, frame); !status.ok())
+    return status;
   if (frame.color.empty()) return {};
   const fs::path color = folder / numbered(frame.index, "rgb", ".jpg");
   return io::write_color_jpeg(color, frame.color, options_.jpeg_quality);
+}
+
+Status RigWriter::write_pictures(std::size_t sensor, const source::CapturedFrame& frame,
+                                 std::span<const std::uint8_t> jpeg) const {
+  ROOMCAST_ASSERT(sensor < sensors_.size());
+  const source::SensorDescription& description = sensors_[sensor].description;
+  const fs::path folder = directory_ / description.name;
+  if (Status status = write_depth(folder, description.calibration.depth, frame); !status.ok())
+    return status;
+  return io::write_file(folder / numbered(frame.index, "rgb", ".jpg"), jpeg);
 }
 
 Status RigWriter::list(std::size_t sensor, std::uint64_t index, bool has_color,

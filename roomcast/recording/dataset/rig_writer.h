@@ -24,6 +24,7 @@ struct RigSensor {
       description;  // `name` becomes ID and folder; `fps` is ignored, since the rig has one rate
   double clock_offset_s = 0;  // timestamp = true time + offset
   double rate_ppm = 0;        // its clock is this much too fast
+  bool has_color = true;      // false: camera.json has no colour camera
 };
 
 struct RigWriterOptions {
@@ -53,6 +54,9 @@ class RigWriter {
   /// The two halves of `add`, for many frames at a time: write_pictures may be called from any
   /// thread; then the list lines are added in order.
   [[nodiscard]] Status write_pictures(std::size_t sensor, const source::CapturedFrame& frame) const;
+  /// The same with colour that is a JPEG file already and stays as it is; `frame.color` is ignored.
+  [[nodiscard]] Status write_pictures(std::size_t sensor, const source::CapturedFrame& frame,
+                                      std::span<const std::uint8_t> jpeg) const;
   [[nodiscard]] Status list(std::size_t sensor, std::uint64_t index, bool has_color,
                             nanoseconds timestamp);
   /// Marks a number, higher than those before, as dropped. Needed only after a sensor's last frame;

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "roomcast/recording/mcap/byte_source.h"
+#include "roomcast/recording/bytes/byte_source.h"
 #include "roomcast/recording/mcap/records.h"
 
 namespace roomcast::recording::mcap {

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "roomcast/core/result.h"
-#include "roomcast/recording/mcap/byte_source.h"
+#include "roomcast/recording/bytes/byte_source.h"
 #include "roomcast/recording/mcap/chunk_contents.h"
 
 namespace roomcast::recording::mcap {

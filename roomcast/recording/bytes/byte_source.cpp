@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/recording/mcap/byte_source.h"
+#include "roomcast/recording/bytes/byte_source.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -13,7 +13,7 @@
 
 #include "roomcast/core/open_at_once.h"
 
-namespace roomcast::recording::mcap {
+namespace roomcast::recording {
 namespace {
 
 const Error kTooShort = {ErrorCode::kMalformed, "it ends too early"};
@@ -80,4 +80,4 @@ std::unique_ptr<ByteSource> bytes_in_memory(std::vector<std::uint8_t> bytes) {
   return std::make_unique<MemorySource>(std::move(bytes));
 }
 
-}  // namespace roomcast::recording::mcap
+}  // namespace roomcast::recording

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// ByteSource: random access to the bytes of an MCAP file, or to memory in tests. Any number of
+// ByteSource: random access to the bytes of a recording, or to memory in tests. Any number of
 // threads may read.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast::recording::mcap {
+namespace roomcast::recording {
 
 class ByteSource {
  public:
@@ -26,4 +26,4 @@ class ByteSource {
 
 [[nodiscard]] std::unique_ptr<ByteSource> bytes_in_memory(std::vector<std::uint8_t> bytes);
 
-}  // namespace roomcast::recording::mcap
+}  // namespace roomcast::recording

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/recording/import/open_recording.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "roomcast/recording/bytes/byte_source.h"
+#include "roomcast/recording/import/azure_kinect_file.h"
+#include "roomcast/recording/import/picture_folder.h"
+#include "roomcast/recording/import/ros_recording.h"
+#include "roomcast/recording/import/scannet_file.h"
+
+namespace roomcast::recording {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxFilesOfFolder = 4096;
+
+Result<SensorFiles> alone(Result<std::unique_ptr<SensorFile>> file) {
+  if (!file) return file.error();
+  SensorFiles files;
+  files.push_back(*std::move(file));
+  return files;
+}
+
+using Open = Result<SensorFiles> (*)(const fs::path&);
+
+struct Kind {
+  std::string_view name;
+  std::string_view magic;   // its files begin so
+  std::string_view ending;  // and their names end so
+  Open open;
+};
+
+const std::array<Kind, 6> kKinds = {{
+    {"mkv", "\x1A\x45\xDF\xA3", "",
+     [](const fs::path& p) { return alone(open_azure_kinect_file(p)); }},
+    {"bag", "#ROSBAG V", "", open_ros1_bag},
+    {"ros2", "\x89MCAP", "", open_ros2_recording},
+    {"ros2", "SQLite format 3", "", open_ros2_recording},
+    {"sens", std::string_view("\4\0\0\0", 4), ".sens",
+     [](const fs::path& p) { return alone(open_scannet_file(p)); }},
+    {"pictures", "", kPictureFolderFile, open_picture_folder},
+}};
+
+const Kind* kind_of_name(std::string_view name) {
+  const auto found = std::ranges::find(kKinds, name, &Kind::name);
+  return found == kKinds.end() ? nullptr : &*found;
+}
+
+const Kind* kind_of_file(const fs::path& path) {
+  const auto source = open_file(path);
+  if (!source) return nullptr;
+  std::array<std::uint8_t, 16> start{};
+  const auto size =
+      static_cast<std::size_t>(std::min<std::uint64_t>(start.size(), (*source)->size()));
+  if (!(*source)->read(0, std::span(start.data(), size))) return nullptr;
+  const std::string_view text(reinterpret_cast<const char*>(start.data()), size);
+  for (const Kind& kind : kKinds) {
+    if (!kind.magic.empty() && text.starts_with(kind.magic) && path.string().ends_with(kind.ending))
+      return &kind;
+  }
+  return nullptr;
+}
+
+Error no_format(const fs::path& path) {
+  return {ErrorCode::kUnsupported,
+          path.string() +
+              " is in no format that roomcast imports (docs/guides/recordings.md lists "
+              "them)"};
+}
+
+Result<std::vector<fs::path>> files_in(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    if (files.size() == kMaxFilesOfFolder)
+      return Error{ErrorCode::kTooLarge, folder.string() + " has too many files"};
+    files.push_back(at->path());
+  }
+  if (error)
+    return Error{ErrorCode::kNotFound, "cannot read " + folder.string() + ": " + error.message()};
+  std::ranges::sort(files);
+  return files;
+}
+
+Result<SensorFiles> open_folder(const fs::path& folder) {
+  const auto paths = files_in(folder);
+  if (!paths) return paths.error();
+  SensorFiles all;
+  if (std::ranges::find(*paths, folder / kPictureFolderFile) != paths->end())
+    return open_picture_folder(folder);
+  for (const fs::path& path : *paths) {
+    const Kind* const kind = kind_of_file(path);
+    if (kind == nullptr) continue;
+    auto files = kind->open(path);
+    if (!files) return files.error();
+    std::ranges::move(*files, std::back_inserter(all));
+  }
+  if (all.empty()) return no_format(folder);
+  return all;
+}
+
+std::string names_of(const SensorFiles& files) {
+  std::string names;
+  for (const auto& file : files)
+    names += (names.empty() ? "" : ", ") + file->info().description.name;
+  return names;
+}
+
+}  // namespace
+
+bool is_import_kind(std::string_view kind) {
+  return kind_of_name(kind) != nullptr;
+}
+
+std::string_view import_kind_of(const fs::path& file) {
+  const Kind* const kind = kind_of_file(file);
+  return kind != nullptr ? kind->name : std::string_view();
+}
+
+Result<SensorFiles> open_recording(std::string_view kind, const fs::path& path) {
+  const Kind* const known = kind_of_name(kind);
+  if (known == nullptr)
+    return invalid_argument("\"" + std::string(kind) + "\" is no kind of recording");
+  return known->open(path);
+}
+
+Result<std::unique_ptr<SensorFile>> open_sensor(std::string_view kind, const fs::path& path,
+                                                const std::string& sensor) {
+  auto files = open_recording(kind, path);
+  if (!files) return files.error();
+  if (sensor.empty() && files->size() == 1) return std::move(files->front());
+  for (auto& file : *files) {
+    if (file->info().description.name == sensor) return std::move(file);
+  }
+  const std::string what = sensor.empty() ? " has several sensors" : " has no sensor " + sensor;
+  return Error{ErrorCode::kNotFound,
+               path.string() + what + "; choose one of " + names_of(*files) + " after a #"};
+}
+
+Result<SensorFiles> open_any(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored))
+    return Error{ErrorCode::kNotFound, path.string() + " does not exist"};
+  if (fs::is_directory(path, ignored)) return open_folder(path);
+  const Kind* const kind = kind_of_file(path);
+  return kind != nullptr ? kind->open(path) : Result<SensorFiles>(no_format(path));
+}
+
+}  // namespace roomcast::recording
