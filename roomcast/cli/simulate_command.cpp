@@ -43,6 +43,7 @@ Status run_simulate(SimulateCommand command) {
   command.rig.timing.lost_share = 0.01 * command.lost_percent;
   if (!command.harsh.empty()) {
     command.rig.sensing.harsh = *simulator::harshness_named(command.harsh);
+    command.rig.sensing.mutual_interference = true;
     draw_length(command);
   }
   if (command.clean) command.rig.clean();
@@ -103,6 +104,8 @@ void add_sensor_options(CLI::App& command, SimulateCommand& values) {
                   "Bursts of infrared interference per minute and sensor")
       ->check(within(0.0, simulator::kMaxInterferencePerMinute))
       ->capture_default_str();
+  command.add_flag("--mutual-interference", values.rig.sensing.mutual_interference,
+                   "The sensors' infrared light disturbs the other sensors; always with --harsh");
   command
       .add_flag("--harsh{mixed}", values.harsh,
                 "Uncalibrated sensors as found in the field, drawn at random: noise, wrong lenses "
