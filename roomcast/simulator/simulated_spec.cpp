@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::string_view kOptions =
     "; a simulated source is sim[:scene[,camera=kinect2|azure|d435][,speed=0..10][,color=half|full]"
-    "[,interference=BURSTS_PER_MINUTE][,mutual][,bump_at=SECONDS][,bump_cm=0..100][,bump_deg=0..90]"
+    "[,interference=BURSTS_PER_MINUTE][,mutual[=no]][,bump_at=SECONDS][,bump_cm=0..100][,bump_deg="
+    "0..90]"
     "[,board]["
     ",harsh[=tof|structured|mixed]][,clean]"
     "]";
@@ -76,8 +77,8 @@ bool apply(std::string_view option, SimulatedSpec& spec) {
     spec.sensing.half_color = value == "half";
     return value == "half" || value == "full";
   }
-  if (option == "mutual") {
-    spec.sensing.mutual_interference = true;
+  if (option == "mutual" || option == "mutual=no") {
+    spec.sensing.mutual_interference = option == "mutual";
     return true;
   }
   if (option == "board") {
