@@ -85,6 +85,16 @@ Result<RealReport> run_real_bench(const std::filesystem::path& rig,
   report.rig = std::filesystem::absolute(rig).lexically_normal().filename().string();
   report.source = description->source;
   report.alignment = alignment;
+  auto judgement = judge_rig(rig, *description, alignment);
+  if (!judgement) return judgement.error();
+  report.judgement = *std::move(judgement);
+  for (const recording::RigSensorEntry& sensor : description->sensors) {
+    if (!options.conditions) break;
+    if (progress) progress(sensor.id + ": noise and interference");
+    auto condition = measure_condition(rig, sensor.id);
+    if (!condition) return condition.error();
+    report.conditions.push_back(*std::move(condition));
+  }
   for (const recording::RigSensorEntry& sensor : description->sensors) {
     if (options.codec_frames == 0) break;
     auto bytes = measure_bytes(rig, sensor.id, options.codec_frames, progress);
