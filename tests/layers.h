@@ -175,7 +175,7 @@ inline const std::vector<Layer> kLayers = {
      "alignment/feature alignment/motion hub/server recording/dataset sensor"},
     {"sensor",
      "alignment/board alignment/bundle alignment/motion alignment/person "
-     "alignment/service client codec core geometry io recording/playback simulator source "
+     "alignment/service client codec codec/live core geometry io recording/playback simulator source "
      "source/camera source/drivers wire",
      "alignment/feature recording/dataset"},
     {"viewer/walk",

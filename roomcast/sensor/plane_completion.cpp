@@ -11,7 +11,9 @@
 namespace roomcast::sensor {
 namespace {
 
-constexpr int kFirstPlan = 8, kPlanEvery = 15;         // frames
+// Frames from plan to plan: often while the room is new, for a plan takes tens of milliseconds.
+constexpr int kFirstPlan = 8, kFirstGap = 15, kMaxGap = 150;
+constexpr double kMinOpen = 0.02;  // share of the picture without readings that deserves a plan
 constexpr std::uint16_t kForgotten = 300;              // frames without a reading
 constexpr std::size_t kMinHole = 30, kMinBorder = 20;  // pixels
 constexpr float kMaxBehind = 0.03F;   // share of a hole's border seen behind a plane
@@ -66,6 +68,8 @@ PlaneCompletion::PlaneCompletion(const SensorCalibration& calibration)
     : calibration_(calibration),
       rays_(ray_table(calibration.depth)),
       history_(calibration.depth.width, calibration.depth.height),
+      next_plan_(kFirstPlan),
+      gap_(kFirstGap),
       visited_(calibration.depth.width, calibration.depth.height) {}
 
 void PlaneCompletion::complete(DepthImage& depth_mm, ColorView color) {
@@ -74,7 +78,11 @@ void PlaneCompletion::complete(DepthImage& depth_mm, ColorView color) {
   remember(depth_mm);
   if (!same_size(color, calibration_.color) || !color.contiguous()) return;
   ++frames_;
-  if (frames_ >= kFirstPlan && (frames_ - kFirstPlan) % kPlanEvery == 0) plan(depth_mm, color);
+  if (frames_ == next_plan_) {
+    next_plan_ += gap_;
+    gap_ = std::min(2 * gap_, kMaxGap);
+    plan(depth_mm, color);
+  }
   fill(depth_mm, color);
 }
 
@@ -100,6 +108,13 @@ bool PlaneCompletion::is_open(std::uint32_t pixel) const {
          rays_.data()[pixel].allFinite();
 }
 
+double PlaneCompletion::open_share() const {
+  const auto pixels = static_cast<std::uint32_t>(history_.view().pixel_count());
+  std::uint32_t open = 0;
+  for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) open += is_open(pixel);
+  return static_cast<double>(open) / pixels;
+}
+
 /// Whether the sensor has seen something else than this plane at a pixel.
 bool PlaneCompletion::is_foreign(std::uint32_t pixel, float depth_m) const {
   const History& history = history_.data()[pixel];
@@ -109,6 +124,8 @@ bool PlaneCompletion::is_foreign(std::uint32_t pixel, float depth_m) const {
 }
 
 void PlaneCompletion::plan(DepthView depth_mm, ColorView color) {
+  fills_.clear();
+  if (open_share() < kMinOpen) return;
   planes_ = find_planes(depth_mm, rays_);
   std::vector<std::uint16_t> readings;
   for (int y = 0; y < depth_mm.height; y += 8) {
@@ -116,7 +133,6 @@ void PlaneCompletion::plan(DepthView depth_mm, ColorView color) {
       if (depth_mm.at(x, y) != 0) readings.push_back(depth_mm.at(x, y));
     }
   }
-  fills_.clear();
   if (planes_.empty() || readings.empty()) return;
   const auto far =
       readings.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(readings.size()));
@@ -148,7 +164,8 @@ Eigen::Vector3f PlaneCompletion::last_point_m(std::uint32_t pixel) const {
 
 /// By the readings all over the picture and, with as much weight in all, by the borders of holes.
 void PlaneCompletion::refine_planes() {
-  constexpr int kEvery_px = 6;
+  constexpr int kEvery_px = 8;
+  constexpr std::size_t kMaxBorders = 4000;
   constexpr float kReach = 3;
   std::vector<Eigen::Vector3f> points_m;
   for (int y = 0; y < history_.height(); y += kEvery_px) {
@@ -158,8 +175,12 @@ void PlaneCompletion::refine_planes() {
     }
   }
   const std::size_t readings = points_m.size();
+  std::size_t borders = 0;
+  for (const Hole& hole : holes_) borders += hole.border.size();
+  const std::size_t every = borders / kMaxBorders + 1;
   for (const Hole& hole : holes_) {
-    for (const std::uint32_t pixel : hole.border) points_m.push_back(last_point_m(pixel));
+    for (std::size_t i = 0; i < hole.border.size(); i += every)
+      points_m.push_back(last_point_m(hole.border[i]));
   }
   for (Plane& plane : planes_) {
     std::size_t near_readings = 0, near_borders = 0;
@@ -175,7 +196,7 @@ void PlaneCompletion::refine_planes() {
 }
 
 PlaneCompletion::ColorModel PlaneCompletion::model_of(const Plane& plane, ColorView color) const {
-  constexpr int kEvery_px = 4;
+  constexpr int kEvery_px = 6;
   ColorModel model;
   for (int y = 0; y < history_.height(); y += kEvery_px) {
     for (int x = 0; x < history_.width(); x += kEvery_px) {

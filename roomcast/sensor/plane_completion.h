@@ -13,7 +13,8 @@
 // - the colour there is one of those that the plane has where it gives readings, and stays the
 // same:
 //   what stands or moves in front is not painted on the plane.
-// Planes are found anew twice a second. Allocates nothing per frame but then. Single-threaded.
+// Planes are found anew after half a second, then ever less often, every five seconds in the end;
+// only then memory is allocated. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -61,6 +62,7 @@ class PlaneCompletion {
   void refine_planes();
   [[nodiscard]] Eigen::Vector3f last_point_m(std::uint32_t pixel) const;
   [[nodiscard]] bool is_open(std::uint32_t pixel) const;
+  [[nodiscard]] double open_share() const;
   [[nodiscard]] bool is_foreign(std::uint32_t pixel, float depth_m) const;
   void plan_hole(const Hole& hole, const std::vector<ColorModel>& models, ColorView color);
   [[nodiscard]] float support_of(const Plane& plane, const Hole& hole) const;
@@ -72,6 +74,7 @@ class PlaneCompletion {
   Image<Eigen::Vector2f> rays_;
   Image<History> history_;
   int frames_ = 0, filled_ = 0;
+  int next_plan_, gap_;  // frames
   float farthest_m_ = 0;
   std::vector<Plane> planes_;
   std::vector<Fill> fills_;
