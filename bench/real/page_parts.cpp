@@ -127,18 +127,22 @@ std::string conditions_html(const std::vector<SensorCondition>& conditions) {
 }
 
 std::string bytes_html(const std::vector<SensorBytes>& bytes) {
-  std::string rows;
-  for (const SensorBytes& sensor : bytes) {
-    for (const CodecBenchRow& row : sensor.rows) {
-      rows += fmt::format("<tr><td>{}<td class=\"text\">{} {}<td>{:.0f}<td>{:.0f}<td>{:.2f}\n",
-                          escaped_html(sensor.sensor), escaped_html(row.codec),
-                          escaped_html(row.mode), row.depth_bytes, row.color_bytes, row.mb_per_s);
-    }
+  if (bytes.empty()) return {};
+  std::string head = "<th class=\"text\">Codec", rows;
+  for (const char* what : {"depth, bytes a frame", "MB/s"}) {
+    for (const SensorBytes& sensor : bytes)
+      head += "<th>" + escaped_html(sensor.sensor) + ": " + what;
   }
-  return table("Bytes",
-               "<th>Sensor<th class=\"text\">Codec<th>Depth, bytes a frame<th>Colour, bytes a "
-               "frame<th>MB/s at 30 frames/s\n",
-               rows);
+  for (std::size_t i = 0; i < bytes.front().rows.size(); ++i) {
+    rows += "<tr><td class=\"text\">" + escaped_html(bytes.front().rows[i].mode);
+    for (const SensorBytes& sensor : bytes)
+      rows +=
+          i < sensor.rows.size() ? fmt::format("<td>{:.0f}", sensor.rows[i].depth_bytes) : "<td>";
+    for (const SensorBytes& sensor : bytes)
+      rows += i < sensor.rows.size() ? fmt::format("<td>{:.2f}", sensor.rows[i].mb_per_s) : "<td>";
+    rows += "\n";
+  }
+  return table("Bytes at 30 frames/s", head + "\n", rows);
 }
 
 std::string left_out_html(const std::vector<LeftOutPicture>& pictures) {

@@ -14,9 +14,11 @@ namespace roomcast::sensor {
 struct GlossyFloor {
   static constexpr int kWidth = 320, kHeight = 240;
   static constexpr float kAbove_m = 1.2F, kWall_m = 4, kGloss_m = 2, kBox_m = 2.6F;
-  static constexpr Rgb8 kFloor{120, 80, 40}, kWall{230, 230, 225}, kBox{10, 10, 12};
+  static constexpr Rgb8 kFloor{120, 80, 40}, kWall{230, 230, 225}, kBox{10, 10, 12},
+      kSky{60, 120, 220};
   bool has_box = false;
   bool box_returns_light = false;
+  bool has_window = false;  // in the wall, blue, without readings
 
   [[nodiscard]] CameraIntrinsics lens() const {
     CameraIntrinsics lens;
@@ -35,6 +37,9 @@ struct GlossyFloor {
 
   [[nodiscard]] bool on_box(int x, int y) const {
     return has_box && x >= 180 && x < 250 && y >= 140 && y < 194;
+  }
+  [[nodiscard]] bool in_window(int x, int y) const {
+    return has_window && x >= 60 && x < 120 && y >= 30 && y < 60;
   }
   /// The floor's depth at a row; 0 above the horizon or behind the wall.
   [[nodiscard]] float floor_m(int y) const {
@@ -60,7 +65,7 @@ struct GlossyFloor {
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
         const bool is_lost = on_box(x, y) ? !box_returns_light : floor_m(y) > kGloss_m;
-        if (is_lost) depth_mm.at(x, y) = 0;
+        if (is_lost || in_window(x, y)) depth_mm.at(x, y) = 0;
       }
     }
     return depth_mm;
@@ -69,7 +74,10 @@ struct GlossyFloor {
     ColorImage color(kWidth, kHeight);
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x)
-        color.at(x, y) = on_box(x, y) ? kBox : floor_m(y) > 0.0F ? kFloor : kWall;
+        color.at(x, y) = on_box(x, y)        ? kBox
+                         : in_window(x, y)   ? kSky
+                         : floor_m(y) > 0.0F ? kFloor
+                                             : kWall;
     }
     return color;
   }

@@ -19,6 +19,7 @@ constexpr std::size_t kMinHole = 30, kMinBorder = 20;  // pixels
 constexpr float kMaxBehind = 0.03F;   // share of a hole's border seen behind a plane
 constexpr float kMinSupport = 0.15F;  // share of a hole's border on a plane
 constexpr float kOfBest = 0.5F;   // of the support of the best plane; others cut across by chance
+constexpr float kPane = 0.92F;    // support of a window's, picture's or screen's hole by its wall
 constexpr float kBeyond = 1.25F;  // times the farthest usual reading
 constexpr float kNearest_m = 0.3F;
 constexpr int kMaxColorChange = 60;  // sum over the three channels
@@ -265,6 +266,13 @@ std::uint32_t PlaneCompletion::color_pixel_of(std::uint32_t pixel, float depth_m
   return static_cast<std::uint32_t>(y * calibration_.color.width + x);
 }
 
+/// Whether a pixel looks at a plane rather than along it.
+bool PlaneCompletion::faces(const Plane& plane, std::uint32_t pixel) const {
+  constexpr float kMinFacing = 0.5F;  // cosine
+  const Eigen::Vector2f& ray = rays_.data()[pixel];
+  return std::abs(plane.normal.dot(Eigen::Vector3f(ray.x(), ray.y(), 1).normalized())) > kMinFacing;
+}
+
 void PlaneCompletion::plan_hole(const Hole& hole, const std::vector<ColorModel>& models,
                                 ColorView color) {
   std::vector<float> support;
@@ -283,7 +291,10 @@ void PlaneCompletion::plan_hole(const Hole& hole, const std::vector<ColorModel>&
     const std::uint32_t at = color_pixel_of(pixel, depth_m);
     if (at == kNoPixel) continue;
     const Rgb8& seen = color.data[at];
-    if (is_black(seen) || !models[nearest].knows(seen)) continue;
+    if (calibration_.color_is_registered && is_black(seen)) continue;
+    const bool is_pane = support[nearest] >= kPane && faces(planes_[nearest], pixel) &&
+                         history_.data()[pixel].last_mm == 0;
+    if (!is_pane && !models[nearest].knows(seen)) continue;
     fills_.push_back({pixel,
                       at,
                       static_cast<std::uint16_t>(std::lround(1000 * depth_m)),

@@ -12,7 +12,8 @@
 //   too: where a wall or a foot meets the floor is known far beyond the floor's own readings;
 // - the colour there is one of those that the plane has where it gives readings, and stays the
 // same:
-//   what stands or moves in front is not painted on the plane.
+//   what stands or moves in front is not painted on the plane. The exception is a hole without any
+//   reading ever that a wall surrounds: a window, a picture behind glass, a screen.
 // Planes are found anew after half a second, then ever less often, every five seconds in the end;
 // only then memory is allocated. Single-threaded.
 #pragma once
@@ -62,6 +63,7 @@ class PlaneCompletion {
   void refine_planes();
   [[nodiscard]] Eigen::Vector3f last_point_m(std::uint32_t pixel) const;
   [[nodiscard]] bool is_open(std::uint32_t pixel) const;
+  [[nodiscard]] bool faces(const Plane& plane, std::uint32_t pixel) const;
   [[nodiscard]] double open_share() const;
   [[nodiscard]] bool is_foreign(std::uint32_t pixel, float depth_m) const;
   void plan_hole(const Hole& hole, const std::vector<ColorModel>& models, ColorView color);

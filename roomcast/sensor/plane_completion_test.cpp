@@ -49,6 +49,15 @@ TEST(PlaneCompletionTest, a_black_box_on_the_floor_does_not_become_floor) {
   EXPECT_LT(holes(filled), 70 * 54 + 600);
 }
 
+TEST(PlaneCompletionTest, a_window_in_a_wall_is_filled_whatever_its_colours) {
+  const GlossyFloor room{.has_window = true};
+  PlaneCompletion completion(room.calibration());
+  const DepthImage filled = completed(completion, room, 10);
+  for (int y = 30; y < 60; ++y) {
+    for (int x = 60; x < 120; ++x) ASSERT_NEAR(filled.at(x, y), 4000, 40) << x << ", " << y;
+  }
+}
+
 TEST(PlaneCompletionTest, a_box_that_loses_its_readings_does_not_become_transparent) {
   GlossyFloor room{.has_box = true, .box_returns_light = true};
   PlaneCompletion completion(room.calibration());
