@@ -13,7 +13,8 @@ namespace roomcast::sensor {
 inline constexpr double kWallFps = 30;
 
 struct DisturbedWall {
-  double lost = 0;      // share of the readings, different ones in each frame
+  double lost = 0;      // share of the readings, in patches of 5 x 5, others in each frame
+  double weak = 0;      // share of the readings, one by one
   double noise_mm = 3;  // standard deviation
   double off = 0;       // share of the readings that are off by half a metre, for one frame
   int width = 160, height = 120;
@@ -28,10 +29,14 @@ struct DisturbedWall {
     std::normal_distribution<double> noise(0, noise_mm);
     std::uniform_real_distribution<double> share(0, 1);
     DepthImage depth_mm(width, height);
+    Image<std::uint8_t> patch_lost(width / 5 + 1, height / 5 + 1);
+    for (std::size_t i = 0; i < patch_lost.view().pixel_count(); ++i)
+      patch_lost.data()[i] = share(random) < lost;
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         const double reading = true_mm(x, y) + noise(random) + (share(random) < off ? 500 : 0);
-        depth_mm.at(x, y) = share(random) < lost ? 0 : static_cast<std::uint16_t>(reading);
+        const bool is_lost = patch_lost.at(x / 5, y / 5) != 0 || share(random) < weak;
+        depth_mm.at(x, y) = is_lost ? 0 : static_cast<std::uint16_t>(reading);
       }
     }
     return depth_mm;

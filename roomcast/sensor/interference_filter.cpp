@@ -11,8 +11,8 @@ namespace {
 using Shown = InterferenceMeter::Shown;
 
 // Filtering begins above these figures, and ends below half of what exceeds none.
-constexpr double kMinFlickering = 0.004, kMinNoiseRatio = 1.5;
-constexpr int kBlock_px = 16;
+constexpr double kMinFlickering = 0.0045, kMinNoiseRatio = 1.5;
+constexpr int kPart_px = 16;
 constexpr float kUsualWeight = 1.0F / 32, kOfUsual = 2;
 constexpr float kMaxMoving = 12;          // readings of a block and its neighbours that changed,
                                           // beyond kOfUsual times those that usually do
@@ -49,17 +49,17 @@ void InterferenceFilter::decide() {
 
 void InterferenceFilter::count_blocks() {
   const auto shown = meter_.shown();
-  blocks_wide_ = (shown.width + kBlock_px - 1) / kBlock_px;
-  blocks_high_ = (shown.height + kBlock_px - 1) / kBlock_px;
+  blocks_wide_ = (shown.width + kPart_px - 1) / kPart_px;
+  blocks_high_ = (shown.height + kPart_px - 1) / kPart_px;
   blocks_.resize(static_cast<std::size_t>(blocks_wide_) * static_cast<std::size_t>(blocks_high_));
   for (Block& block : blocks_) {
     block.usual_moving += kUsualWeight * (static_cast<float>(block.moving) - block.usual_moving);
     block.moving = block.missing = block.still = 0;
   }
   for (int y = 0; y < shown.height; ++y) {
-    Block* blocks = &blocks_[static_cast<std::size_t>(y / kBlock_px * blocks_wide_)];
+    Block* blocks = &blocks_[static_cast<std::size_t>(y / kPart_px * blocks_wide_)];
     for (int x = 0; x < shown.width; ++x) {
-      Block& block = blocks[x / kBlock_px];
+      Block& block = blocks[x / kPart_px];
       block.moving += is_moving(shown.at(x, y));
       block.missing += shown.at(x, y) == Shown::kMissing;
       block.still += shown.at(x, y) == Shown::kStill;
@@ -68,7 +68,7 @@ void InterferenceFilter::count_blocks() {
 }
 
 bool InterferenceFilter::may_hold(int x, int y) const {
-  const int column = x / kBlock_px, row = y / kBlock_px;
+  const int column = x / kPart_px, row = y / kPart_px;
   Block around;
   for (int j = std::max(0, row - 1); j <= std::min(blocks_high_ - 1, row + 1); ++j) {
     for (int i = std::max(0, column - 1); i <= std::min(blocks_wide_ - 1, column + 1); ++i) {

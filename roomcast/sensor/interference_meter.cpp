@@ -20,8 +20,9 @@ constexpr float kMinDeviation_mm = 0.5F;
 constexpr int kInside_px = 6;         // distance to the next outline
 constexpr float kSlopeShare = 0.03F;  // depth inside a surface changes by less over kInside_px
 constexpr float kMinReadings = 100;   // of a distance in a frame, to say something on its noise
-constexpr int kMinInside = 500;       // measured pixels, to say something on flicker
-constexpr int kKnownAfter = 20;       // frames
+constexpr int kBlock_px = 16;
+constexpr int kMinInside = 500;  // measured pixels, to say something on flicker
+constexpr int kKnownAfter = 20;  // frames
 constexpr double kFlickerWeight = 1.0 / 60;
 constexpr float kPeakDecay = 0.9977F;           // halves in ten seconds at 30 frames/s
 constexpr float kFall = 0.1F, kRise = 0.0005F;  // of the quiet noise, per frame
@@ -144,14 +145,40 @@ bool InterferenceMeter::is_inside(int x, int y) const {
   return sides >= kMinSides;
 }
 
+int InterferenceMeter::missing_neighbours(int x, int y) const {
+  int missing = 0;
+  for (int j = y - 1; j <= y + 1; ++j) {
+    for (int i = x - 1; i <= x + 1; ++i) missing += shown_.at(i, j) == Shown::kMissing;
+  }
+  return missing - (shown_.at(x, y) == Shown::kMissing);
+}
+
+/// Where little light returns, pixels lose their readings one by one.
+void InterferenceMeter::find_weak_blocks() {
+  constexpr int kAlone = 2;  // neighbours that are missing, too; of eight
+  const int wide = (shown_.width() + kBlock_px - 1) / kBlock_px;
+  const int high = (shown_.height() + kBlock_px - 1) / kBlock_px;
+  alone_.resize(wide, high, 0);
+  for (int y = kInside_px; y < shown_.height() - kInside_px; y += kGrid_px) {
+    for (int x = kInside_px; x < shown_.width() - kInside_px; x += kGrid_px) {
+      if (shown_.at(x, y) == Shown::kMissing && missing_neighbours(x, y) <= kAlone)
+        ++alone_.at(x / kBlock_px, y / kBlock_px);
+    }
+  }
+}
+
 void InterferenceMeter::count_flicker() {
+  constexpr int kPatch = 5;     // neighbours of a missing pixel that are missing, too
+  constexpr int kMaxAlone = 1;  // pixels of a block, of 64 that are measured
+  find_weak_blocks();
   int inside = 0, missing = 0;
   for (int y = kInside_px; y < shown_.height() - kInside_px; y += kGrid_px) {
     for (int x = kInside_px; x < shown_.width() - kInside_px; x += kGrid_px) {
       const Shown shown = shown_.at(x, y);
-      if ((shown != Shown::kStill && shown != Shown::kMissing) || !is_inside(x, y)) continue;
+      if (shown != Shown::kStill && shown != Shown::kMissing) continue;
+      if (alone_.at(x / kBlock_px, y / kBlock_px) > kMaxAlone || !is_inside(x, y)) continue;
       ++inside;
-      missing += shown == Shown::kMissing;
+      missing += shown == Shown::kMissing && missing_neighbours(x, y) >= kPatch;
     }
   }
   if (inside < kMinInside) return;

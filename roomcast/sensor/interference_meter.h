@@ -3,9 +3,10 @@
 // own frames alone. A surface that stands still and is seen well keeps its reading; where foreign
 // light falls on it, readings come and go (structured light), and there are moments with more noise
 // than the sensor has otherwise (time of flight; the noise of quiet moments is learnt by distance).
-// Both figures are measured inside still surfaces only: at outlines, at the limit of its range and
-// on dark things every sensor loses readings. What moves, and a sensor that is carried, do not
-// count. Single-threaded; keeps its memory from frame to frame.
+// Both figures are measured inside still surfaces only: at outlines every sensor loses readings. On
+// dark and polished things and at the limit of its range it loses them one by one; foreign dot
+// patterns cost whole patches, so only these count. What moves, and a sensor that is carried, do
+// not count. Single-threaded; keeps its memory from frame to frame.
 #pragma once
 
 #include <array>
@@ -62,11 +63,14 @@ class InterferenceMeter {
   void learn_quiet_noise(const ByDistance& deviation_mm, const ByDistance& count);
   [[nodiscard]] Shown see(std::uint16_t reading_mm, Pixel& pixel) const;
   void count_flicker();
+  void find_weak_blocks();
+  [[nodiscard]] int missing_neighbours(int x, int y) const;
   [[nodiscard]] bool is_inside(int x, int y) const;
 
   int max_missing_;  // frames
   Image<Pixel> pixels_;
   Image<Shown> shown_;
+  Image<int> alone_;  // by block of 16 x 16 pixels: readings that are missing one by one
   codec::SensorNoise noise_;
   ByDistance law_mm_{};    // standard deviation by noise_, which also knows the steps of depth
   ByDistance quiet_mm_{};  // mean deviation from still surfaces in quiet moments; 0: unknown

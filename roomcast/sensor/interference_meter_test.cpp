@@ -25,9 +25,17 @@ TEST(InterferenceMeterTest, a_sensor_that_nothing_disturbs_has_no_interference) 
   EXPECT_LT(figures.noise_ratio, 1.15);
 }
 
-TEST(InterferenceMeterTest, readings_that_come_and_go_are_counted) {
-  EXPECT_NEAR(figures_after({.lost = 0.03}, 120).flickering, 0.03, 0.005);
-  EXPECT_NEAR(figures_after({.lost = 0.2}, 120).flickering, 0.2, 0.03);
+TEST(InterferenceMeterTest, patches_that_come_and_go_are_counted) {
+  const double few = figures_after({.lost = 0.03}, 120).flickering;
+  const double many = figures_after({.lost = 0.12}, 120).flickering;
+  EXPECT_GT(few, 0.012);  // the corners of patches of 5 x 5 pixels do not count
+  EXPECT_LT(few, 0.03);
+  EXPECT_GT(many, 2.5 * few);
+}
+
+TEST(InterferenceMeterTest, readings_that_are_lost_one_by_one_are_weak_and_no_interference) {
+  for (const double weak : {0.02, 0.1, 0.3, 0.5})
+    EXPECT_LT(figures_after({.weak = weak}, 120).flickering, 0.002) << weak;
 }
 
 TEST(InterferenceMeterTest, a_burst_of_noise_is_measured_and_does_not_become_the_usual_noise) {

@@ -79,7 +79,7 @@ for (const [what, text] of Object.entries(nonsense)) {
   test(`a_lens_file_with_${what}_is_named_by_sensor_demo_and_bench`, async (t) => {
     const rig = rigWithLens(t, text());
     const hub = await startHub(t);
-    const why = /(camera\.json|000000\.png|depth picture|focal|centre)/;
+    const why = /(camera\.json|\d{6}\.png|depth picture|focal|centre)/;
     assertFailed(await run('sensor', '--source', `rig:${rig}#s0`, '--hub', hub.url, '--once'), 1, why);
     const demo = await run('demo', '--rig', rig, '--port', '0', '--headless', '--seconds', '5');
     assert.equal(demo.code, 1, demo.stderr);

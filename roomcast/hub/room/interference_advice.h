@@ -12,7 +12,7 @@
 namespace roomcast::hub {
 
 /// Figures from which a sensor counts as disturbed.
-inline constexpr double kDisturbedFlickering = 0.006, kDisturbedNoiseRatio = 1.5;
+inline constexpr double kDisturbedFlickering = 0.005, kDisturbedNoiseRatio = 1.5;
 
 /// The share, 0 to 1, of what a sensor sees within 1 to 4 m that another one sees, too, from at
 /// most 6 m away. Distortion of the lenses and what hides surfaces are left out.
