@@ -17,7 +17,7 @@ constexpr std::uint32_t kPatches = 91, kFlicker = 92, kDisturbance = 93, kLoss =
 // Structured light. Windows are lost up to this quantile of their quality where foreign light
 // prevails; from frame to frame the quality varies by kFlickerRange.
 constexpr float kPatternPatch_px = 7.0F;
-constexpr float kLostQuality = 0.42F, kFlickerRange = 0.12F;
+constexpr float kLostQuality = 0.42F, kFlickerRange = 0.22F;
 constexpr float kPatternNoise = 1.0F;  // times the sensor's own, where foreign light prevails
 
 // Time of flight, for foreign light as strong as the own during the whole exposure.
@@ -63,14 +63,12 @@ std::vector<MutualInterference::Active> MutualInterference::active_at(
 }
 
 /// The probability that a pixel has no reading; of structured light 0 or 1, patch by patch.
-float MutualInterference::lost_share(float light, float x, float y, std::uint32_t frame_key,
-                                     std::uint32_t pixel_hash) const {
+float MutualInterference::lost_share(float light, float x, float y, std::uint32_t frame_key) const {
   if (profile_.principle == DepthPrinciple::kTimeOfFlight)
     return std::clamp((light - kContradictionBegins) / kContradictionRange, 0.0F, 0.9F);
   const float flicker = unit_noise_at(x, y, hash_of(frame_key, kFlicker)) - 0.5F;
-  const float fine = 0.02F * (nth_unit(pixel_hash, 5) - 0.5F);
   const float quality = unit_noise_at(x, y, hash_of(key_, kPatches)) + kFlickerRange * flicker;
-  return quality + fine < kLostQuality * light / (1.0F + light) ? 1.0F : 0.0F;
+  return quality < kLostQuality * light / (1.0F + light) ? 1.0F : 0.0F;
 }
 
 void MutualInterference::disturb(std::uint32_t frame_key, nanoseconds scene_time,
@@ -88,8 +86,7 @@ void MutualInterference::disturb(std::uint32_t frame_key, nanoseconds scene_time
       if (light <= 0.0F) continue;
       const auto pixel = static_cast<std::uint32_t>(y * depth_mm.width + x);
       const std::uint32_t hash = hash_of(hash_of(frame_key, kDisturbance), pixel);
-      const float lost =
-          lost_share(light, static_cast<float>(x), static_cast<float>(y), frame_key, hash);
+      const float lost = lost_share(light, static_cast<float>(x), static_cast<float>(y), frame_key);
       if (lost > nth_unit(hash, kLoss)) {
         row[x] = 0;
         continue;

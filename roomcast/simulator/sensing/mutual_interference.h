@@ -53,8 +53,7 @@ class MutualInterference {
     float share;  // of the exposure
   };
   [[nodiscard]] std::vector<Active> active_at(nanoseconds scene_time) const;
-  [[nodiscard]] float lost_share(float light, float x, float y, std::uint32_t frame_key,
-                                 std::uint32_t pixel_hash) const;
+  [[nodiscard]] float lost_share(float light, float x, float y, std::uint32_t frame_key) const;
 
   SensorProfile profile_;
   std::uint32_t key_ = 0;
