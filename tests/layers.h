@@ -186,8 +186,8 @@ inline const std::vector<Layer> kLayers = {
      "alignment/feature alignment/motion hub/server recording/dataset sensor"},
     {"sensor",
      "alignment/board alignment/bundle alignment/motion alignment/person "
-     "alignment/service client codec core geometry io recording/import recording/playback simulator "
-     "source source/camera source/drivers wire",
+     "alignment/service client codec codec/live core geometry io recording/import "
+     "recording/playback simulator source source/camera source/drivers wire",
      "alignment/feature recording/dataset"},
     {"viewer/walk",
      "client/room core geometry",

@@ -2,7 +2,6 @@
 #include "bench/real/real_bench.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <utility>
 
@@ -17,22 +16,22 @@ namespace {
 
 using Progress = std::function<void(const std::string&)>;
 
-constexpr std::array kModes{"lossless", "near-2mm", "live", "live+color"};
+constexpr double kPlayedFps = 30;
 
+/// By roomcast's own codecs. The recording is played forward and backward at 30 frames/s: colour's
+/// bit rate is one of time, and few recordings of rigs last longer than a second or state their
+/// rate.
 Result<SensorBytes> measure_bytes(const std::filesystem::path& rig, const std::string& sensor,
                                   int frames, const Progress& progress) {
-  SensorBytes bytes{sensor, {}};
-  for (const char* mode : kModes) {
-    auto input = open_bench_input("rig:" + rig.string() + "#" + sensor);
-    if (!input) return input.error();
-    const CodecBenchOptions options{.only = mode, .most_frames = frames};
-    const auto report = run_codec_bench(**input, options, [&](int frame) {
-      if (progress) progress(fmt::format("{}: {}, frame {}", sensor, mode, frame));
-    });
-    if (!report) return report.error();
-    std::ranges::copy(report->rows, std::back_inserter(bytes.rows));
-  }
-  return bytes;
+  auto input =
+      open_bench_input("rig:" + rig.string() + "#" + sensor, {.back_and_forth_fps = kPlayedFps});
+  if (!input) return input.error();
+  const CodecBenchOptions options{.only = "roomcast", .most_frames = frames};
+  auto report = run_codec_bench(**input, options, [&](int frame) {
+    if (progress) progress(fmt::format("{}: codecs, frame {}", sensor, frame));
+  });
+  if (!report) return report.error();
+  return SensorBytes{sensor, std::move(report->rows)};
 }
 
 /// The rig's placed sensors, with the poses that alignment gave them.
@@ -85,6 +84,16 @@ Result<RealReport> run_real_bench(const std::filesystem::path& rig,
   report.rig = std::filesystem::absolute(rig).lexically_normal().filename().string();
   report.source = description->source;
   report.alignment = alignment;
+  auto judgement = judge_rig(rig, *description, alignment);
+  if (!judgement) return judgement.error();
+  report.judgement = *std::move(judgement);
+  for (const recording::RigSensorEntry& sensor : description->sensors) {
+    if (!options.conditions) break;
+    if (progress) progress(sensor.id + ": noise and interference");
+    auto condition = measure_condition(rig, sensor.id);
+    if (!condition) return condition.error();
+    report.conditions.push_back(*std::move(condition));
+  }
   for (const recording::RigSensorEntry& sensor : description->sensors) {
     if (options.codec_frames == 0) break;
     auto bytes = measure_bytes(rig, sensor.id, options.codec_frames, progress);

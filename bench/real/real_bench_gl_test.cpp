@@ -100,12 +100,15 @@ TEST_F(RealBenchTest, with_one_placed_sensor_it_says_why_nothing_is_drawn) {
 TEST_F(RealBenchTest, the_page_shows_both_pictures_and_escapes_names) {
   auto report = run(placed(0));
   ASSERT_TRUE(report.ok());
-  report->rig = "<script>alert(1)</script>";
+  report->rig = report->conditions.at(0).sensor = "<script>alert(1)</script>";
+  report->judgement.ball = {{"s0", "s1", 30, 12.4, 9.6}};
   ASSERT_TRUE(write_page({*report}, folder / "page").ok());
   std::ifstream file(folder / "page" / "index.html");
   const std::string html((std::istreambuf_iterator<char>(file)), {});
   EXPECT_EQ(html.find("<script>"), std::string::npos);
   EXPECT_NE(html.find("rig0-picture0-drawn.jpg"), std::string::npos);
+  for (const char* part : {"<svg", "Infrared interference", "The ball", "<td>12<td>10", "Bytes"})
+    EXPECT_NE(html.find(part), std::string::npos) << part;
   EXPECT_TRUE(std::filesystem::exists(folder / "page" / "rig0-picture3-own.jpg"));
 }
 
@@ -118,6 +121,8 @@ TEST_F(RealBenchTest, reports_are_printed_as_table_and_json) {
   EXPECT_NE(table.str().find("left out"), std::string::npos);
   const auto parsed = nlohmann::json::parse(json.str());
   EXPECT_EQ(parsed.at(0).at("left_out").size(), 4U);
+  EXPECT_EQ(parsed.at(0).at("conditions").size(), 2U);
+  EXPECT_NE(table.str().find("noise"), std::string::npos);
   EXPECT_EQ(parsed.at(0).at("sensors").at(1).at("id"), "s1");
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <system_error>
 
 #include <fmt/format.h>
 
+#include "bench/real/page_parts.h"
 #include "bench/real/real_bench.h"
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/io/image_file.h"
@@ -17,73 +17,24 @@ constexpr int kPictureQuality = 90;  // of JPEG
 
 constexpr const char* kHead =
     "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\">"
-    "<meta name=\"viewport\" content=\"width=device-width\"><title>roomcast: real rigs</title>"
+    "<meta name=\"viewport\" content=\"width=device-width\"><title>roomcast: rigs</title>"
     "<style>body{font:16px/1.5 system-ui,sans-serif;max-width:72rem;margin:2rem auto;padding:0 "
-    "1rem;color:#1c1f24}"
-    "table{border-collapse:collapse;margin:1rem 0}td,th{padding:.25rem .75rem;border-bottom:1px "
-    "solid #d5d9df;text-align:right}"
-    "td:first-child,th:first-child,td.text,th.text{text-align:left}"
+    "1rem;color:#1c1f24;background:#fff}"
+    "table{border-collapse:collapse;margin:.5rem 0}td,th{padding:.25rem .75rem;border-bottom:1px "
+    "solid #d5d9df;text-align:right;vertical-align:top}th{font-weight:600;font-size:.875rem}"
+    "td:first-child,th:first-child,td.text,th.text{text-align:left}.wide{overflow-x:auto}"
     "figure{margin:1.5rem 0}figure div{display:grid;grid-template-columns:1fr 1fr;gap:.5rem}"
     "img{width:100%;background:#000}figcaption{margin-top:.25rem}h2{margin-top:3rem}"
-    "</style><h1>Real rigs</h1>"
-    "<p>Every figure on this page comes from recordings of real or simulated sensors, as each "
-    "heading says. Left: what the sensor saw. Right: the same view, drawn from the other sensors "
-    "only.</p>\n";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
-std::string alignment_table_html(const alignment::AlignmentReport& report) {
-  std::string html =
-      "<table><tr><th>Sensor<th>Expected error, mm<th>Degrees<th class=\"text\">Alignment says\n";
-  for (const alignment::SensorReport& sensor : report.sensors) {
-    html += "<tr><td>" + escaped(sensor.id);
-    html += sensor.placed ? fmt::format("<td>{:.0f}<td>{:.2f}", sensor.expected_error_mm,
-                                        sensor.expected_error_deg)
-                          : std::string("<td>not placed<td>");
-    html += "<td class=\"text\">" + escaped(sensor.reason) + "\n";
-  }
-  return html + "</table>\n";
-}
-
-std::string bytes_table_html(const std::vector<SensorBytes>& all) {
-  if (all.empty()) return {};
-  std::string html =
-      "<table><tr><th>Sensor<th class=\"text\">Codec<th>Depth, bytes a frame<th>Colour, bytes a "
-      "frame<th>MB/s at 30 frames/s\n";
-  for (const SensorBytes& bytes : all) {
-    for (const CodecBenchRow& row : bytes.rows) {
-      html += fmt::format("<tr><td>{}<td class=\"text\">{} {}<td>{:.0f}<td>{:.0f}<td>{:.2f}\n",
-                          escaped(bytes.sensor), escaped(row.codec), escaped(row.mode),
-                          row.depth_bytes, row.color_bytes, row.mb_per_s);
-    }
-  }
-  return html + "</table>\n";
-}
+    "h3{margin:1.75rem 0 .25rem}svg{max-width:36rem;width:100%;font:12px system-ui,sans-serif}"
+    ".quiet{color:#5a626d}"
+    "</style><h1>Rigs without truth</h1>"
+    "<p>Every figure comes from the recordings named in the headings, real or simulated as their "
+    "source says. Errors that alignment expects are one standard deviation, 2.5 m ahead of a "
+    "sensor.</p>\n";
 
 std::string caption(const LeftOutPicture& picture) {
   const std::string shown =
-      fmt::format("{}, frame {}: the others show {:.0f} % of it", escaped(picture.sensor),
+      fmt::format("{}, frame {}: the others show {:.0f} % of it", escaped_html(picture.sensor),
                   picture.frame, 100 * picture.covered);
   if (std::isnan(picture.psnr_db)) return shown + ".";
   return shown + fmt::format("; there PSNR {:.1f} dB, SSIM {:.2f}, depth wrong in {:.1f} %.",
@@ -106,6 +57,21 @@ Status write_figure(const LeftOutPicture& picture, const std::filesystem::path& 
   return {};
 }
 
+Status write_figures(const RealReport& report, std::size_t rig, const std::filesystem::path& folder,
+                     std::string& html) {
+  if (!report.left_out.empty())
+    html +=
+        "<p class=\"quiet\">Left: what the sensor saw. Right: the same view, drawn from the "
+        "other sensors only.</p>\n";
+  for (std::size_t i = 0; i < report.left_out.size(); ++i) {
+    // Names of sensors come from a file and may contain anything; numbers cannot leave the folder.
+    auto status =
+        write_figure(report.left_out[i], folder, fmt::format("rig{}-picture{}", rig, i), html);
+    if (!status) return status;
+  }
+  return {};
+}
+
 }  // namespace
 
 Status write_page(const std::vector<RealReport>& reports, const std::filesystem::path& folder) {
@@ -118,18 +84,14 @@ Status write_page(const std::vector<RealReport>& reports, const std::filesystem:
   std::string html = kHead;
   for (std::size_t rig = 0; rig < reports.size(); ++rig) {
     const RealReport& report = reports[rig];
-    html += "<h2>" + escaped(report.rig) + "</h2><p>" + escaped(report.source) + "</p>\n" +
-            alignment_table_html(report.alignment) + bytes_table_html(report.bytes);
-    if (!report.not_drawn.empty()) {
-      html += "<p>Nothing was drawn: " + escaped(report.not_drawn) + "</p>\n";
-    }
-    for (std::size_t i = 0; i < report.left_out.size(); ++i) {
-      // Names of sensors come from a file and may contain anything; numbers cannot leave the
-      // folder.
-      const std::string name = fmt::format("rig{}-picture{}", rig, i);
-      auto status = write_figure(report.left_out[i], folder, name, html);
-      if (!status) return status;
-    }
+    html += "<h2>" + escaped_html(report.rig) + "</h2><p class=\"quiet\">" +
+            escaped_html(report.source) + "</p>\n" + placement_html(report.alignment) +
+            judgement_html(report.judgement) + conditions_html(report.conditions) +
+            bytes_html(report.bytes) + left_out_html(report.left_out);
+    if (!report.not_drawn.empty())
+      html += "<p>Nothing was drawn: " + escaped_html(report.not_drawn) + "</p>\n";
+    auto status = write_figures(report, rig, folder, html);
+    if (!status) return status;
   }
   return io::write_file(folder / "index.html", html);
 }

@@ -22,7 +22,38 @@ ordered_json sensor_json(const alignment::SensorReport& sensor) {
           {"placed", sensor.placed},
           {"expected_error_mm", sensor.expected_error_mm},
           {"expected_error_deg", sensor.expected_error_deg},
+          {"depth_scale", sensor.depth_scale},
+          {"depth_scale_standard_error", sensor.depth_scale_standard_error},
           {"reason", sensor.reason}};
+}
+
+ordered_json ball_json(const BallGap& gap) {
+  return {{"a", gap.a},
+          {"b", gap.b},
+          {"instants", gap.instants},
+          {"median_mm", gap.median_mm},
+          {"expected_mm", gap.expected_mm}};
+}
+
+ordered_json known_json(const PoseGap& gap) {
+  return {{"sensor", gap.sensor},
+          {"from_known_mm", gap.from_known_mm},
+          {"from_known_deg", gap.from_known_deg}};
+}
+
+ordered_json loop_json(const Loop& loop) {
+  return {{"sensors", {loop.a, loop.b, loop.c}},
+          {"closure_mm", loop.closure_mm},
+          {"closure_deg", loop.closure_deg}};
+}
+
+ordered_json interference_json(const sensor::InterferenceFigures& figures) {
+  if (!figures.is_known) return nullptr;
+  return {{"flickering", figures.flickering}, {"noise_ratio", figures.noise_ratio}};
+}
+
+ordered_json noise_json(const NoiseAtDistance& noise) {
+  return {{"distance_m", noise.distance_m}, {"sigma_mm", noise.sigma_mm}, {"share", noise.share}};
 }
 
 ordered_json bytes_json(const SensorBytes& bytes) {
@@ -53,10 +84,23 @@ ordered_json list_json(const Items& items, ToJson to_json) {
   return list;
 }
 
+ordered_json condition_json(const SensorCondition& condition) {
+  return {{"sensor", condition.sensor},
+          {"noise", list_json(condition.noise, noise_json)},
+          {"interference", interference_json(condition.interference)},
+          {"interference_after_filter", interference_json(condition.filtered)},
+          {"held", condition.held},
+          {"changed", condition.changed}};
+}
+
 ordered_json report_json(const RealReport& report) {
   return {{"rig", report.rig},
           {"source", report.source},
           {"sensors", list_json(report.alignment.sensors, sensor_json)},
+          {"ball", list_json(report.judgement.ball, ball_json)},
+          {"known_poses", list_json(report.judgement.known, known_json)},
+          {"loops", list_json(report.judgement.loops, loop_json)},
+          {"conditions", list_json(report.conditions, condition_json)},
           {"bytes", list_json(report.bytes, bytes_json)},
           {"left_out", list_json(report.left_out, picture_json)},
           {"not_drawn", report.not_drawn}};
@@ -71,11 +115,43 @@ void print_sensor(const alignment::SensorReport& sensor, std::ostream& out) {
   }
 }
 
+void print_judgement(const RigJudgement& judgement, std::ostream& out) {
+  for (const BallGap& gap : judgement.ball) {
+    fmt::print(out, "  ball      {} and {}: {:.0f} mm apart, median of {}; expected {:.0f}\n",
+               gap.a, gap.b, gap.median_mm, gap.instants, gap.expected_mm);
+  }
+  for (const PoseGap& gap : judgement.known) {
+    fmt::print(out, "  known     {}: {:.0f} mm and {:.2f} degrees from the recording's pose\n",
+               gap.sensor, gap.from_known_mm, gap.from_known_deg);
+  }
+  for (const Loop& loop : judgement.loops) {
+    fmt::print(out, "  loop      {}, {}, {}: open by {:.0f} mm and {:.2f} degrees\n", loop.a,
+               loop.b, loop.c, loop.closure_mm, loop.closure_deg);
+  }
+}
+
+void print_condition(const SensorCondition& sensor, std::ostream& out) {
+  fmt::print(out, "  {:<8} noise", sensor.sensor);
+  for (const NoiseAtDistance& noise : sensor.noise)
+    fmt::print(out, " {:.1f} mm at {:.2g} m,", noise.sigma_mm, noise.distance_m);
+  if (!sensor.interference.is_known) {
+    fmt::print(out, " interference unknown\n");
+    return;
+  }
+  fmt::print(out,
+             " {:.2f} % of still readings come and go ({:.2f} % after the filter), noise up to "
+             "{:.2f} times the usual\n",
+             100 * sensor.interference.flickering, 100 * sensor.filtered.flickering,
+             sensor.interference.noise_ratio);
+}
+
 }  // namespace
 
 void print_table(const RealReport& report, std::ostream& out) {
   fmt::print(out, "{}{}\n", report.rig, report.source.empty() ? "" : " (" + report.source + ")");
   for (const auto& sensor : report.alignment.sensors) print_sensor(sensor, out);
+  print_judgement(report.judgement, out);
+  for (const SensorCondition& sensor : report.conditions) print_condition(sensor, out);
   if (!report.bytes.empty()) {
     fmt::print(out, "\n  {:<8} {:<10} {:<11} {:>13} {:>13} {:>8}\n", "sensor", "codec", "mode",
                "depth B/frame", "color B/frame", "MB/s@30");

@@ -28,6 +28,7 @@ struct RenderBenchOptions {
   /// Every sensor is moved and rotated by this much, each in a different direction.
   double pose_error_mm = 0, pose_error_deg = 0;
   std::uint64_t pose_seed = 1;
+  bool complete_planes = true;                         // as a sensor does; false: as recorded
   bool stereo = false;                                 // also measures the cost of two eyes
   std::optional<std::filesystem::path> pictures = {};  // a folder for the drawn pictures
 };

@@ -9,8 +9,9 @@
 
 namespace roomcast::bench {
 
-Result<RigFrames> RigFrames::open(const std::filesystem::path& folder, const recording::RigDescription& rig,
-                                  int color_scale) {
+Result<RigFrames> RigFrames::open(const std::filesystem::path& folder,
+                                  const recording::RigDescription& rig, int color_scale,
+                                  bool complete_planes) {
   RigFrames frames;
   for (const recording::RigSensorEntry& entry : rig.sensors) {
     if (!entry.world_from_depth) {
@@ -21,8 +22,11 @@ Result<RigFrames> RigFrames::open(const std::filesystem::path& folder, const rec
     auto registration =
         HoleRegistration::create(recording->camera.calibration, {.color_scale = color_scale});
     if (!registration) return registration.error();
+    const SensorCalibration cameras = recording->camera.calibration;
     frames.sensors_.push_back({*std::move(recording), *entry.world_from_depth,
-                               *std::move(registration), folder / "truth" / entry.id});
+                               *std::move(registration), std::nullopt,
+                               folder / "truth" / entry.id});
+    if (complete_planes) frames.sensors_.back().completion.emplace(cameras);
   }
   return frames;
 }
@@ -38,6 +42,7 @@ Status RigFrames::read(Sensor& sensor, std::uint64_t number, RegisteredFrame& ou
   if (auto status = reader_.read_depth(file->depth, depth, out.depth_mm); !status) return status;
   const io::ImageSize color{cameras.color.width, cameras.color.height};
   if (auto status = reader_.read_color(file->color, color, color_); !status) return status;
+  if (sensor.completion) sensor.completion->complete(out.depth_mm, color_);
   return sensor.registration.run(out.depth_mm, color_, out.color);
 }
 

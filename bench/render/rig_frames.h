@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frames of a rig as a viewer receives them: depth, and colour registered to it.
+// The frames of a rig as a viewer receives them from sensors that send live depth, but not coded:
+// depth, with the holes of large planes filled, and colour registered to it. A sensor's frames must
+// be read in their order.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "bench/render/truth_view.h"
@@ -14,6 +17,7 @@
 #include "roomcast/geometry/hole_registration.h"
 #include "roomcast/io/image_file.h"
 #include "roomcast/recording/dataset/recording.h"
+#include "roomcast/sensor/plane_completion.h"
 
 namespace roomcast::bench {
 
@@ -25,14 +29,16 @@ struct RegisteredFrame {
 class RigFrames {
  public:
   /// kNotFound, kMalformed as read_rig_recording; kInvalidArgument: a sensor has no pose.
-  /// `color_scale` as in RegistrationOptions.
+  /// `color_scale` as in RegistrationOptions. Without `complete_planes` depth is as recorded.
   static Result<RigFrames> open(const std::filesystem::path& folder,
-                                const recording::RigDescription& rig, int color_scale);
+                                const recording::RigDescription& rig, int color_scale,
+                                bool complete_planes = true);
 
   struct Sensor {
     recording::Recording recording;
     RigidTransform world_from_depth;
     HoleRegistration registration;
+    std::optional<sensor::PlaneCompletion> completion;
     std::filesystem::path truth;  // folder with its noise-free depth
   };
   [[nodiscard]] std::vector<Sensor>& sensors() { return sensors_; }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "bench/codec/codec_bench.h"
+#include "bench/codec/filtered_input.h"
 #include "bench/register_bench.h"
 #include "roomcast/cli/bench_commands.h"
 #include "roomcast/cli/command.h"
@@ -21,12 +22,14 @@ struct CodecCommandOptions {
   std::string input = "sim:studio";
   bench::BenchInputOptions simulator;
   bench::CodecBenchOptions bench;
+  bool filtered = false;
   bool json = false;
 };
 
 Status run_codec(const CodecCommandOptions& options) {
   auto input = bench::open_bench_input(options.input, options.simulator);
   if (!input) return input.error();
+  if (options.filtered) *input = bench::without_interference(*std::move(input));
   StatusLine line;
   const auto report = bench::run_codec_bench(
       **input, options.bench, [&line](int frame) { line.show(fmt::format("frame {}", frame)); });
@@ -75,6 +78,9 @@ void add_codec_bench(CLI::App& bench, Command& chosen) {
                    "Play a recording forward and backward at this many frames per second, until "
                    "--frames; also measures depth errors on what stands still")
       ->check(within(1.0, 60.0));
+  command->add_flag(
+      "--filter-interference", options->filtered,
+      "Remove what the infrared light of other cameras does to depth, as a sensor does");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer("Example:\n  roomcast bench codec rig:recordings/lab#s0 --json");
   command->callback([options, &chosen] {

@@ -46,6 +46,8 @@ void add_render_bench(CLI::App& bench, Command& chosen) {
       ->check(within(0.0, 180.0));
   command->add_option("--pose-seed", options->pose_seed, "Seed of these directions")
       ->check(seed_number());
+  command->add_flag("--keep-holes{false}", options->complete_planes,
+                    "Do not fill the holes of large planes, as roomcast sensor --keep-holes");
   command->add_option("--pictures", options->pictures, "Write the pictures into this folder");
   command->add_flag("--stereo", options->stereo,
                     "Also compare drawing both eyes in one pass with one after the other");

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "roomcast/cli/codec_option.h"
 #include "roomcast/cli/command.h"
@@ -30,8 +31,39 @@ struct SensorCommandOptions {
   TokenOption token;
   std::string frame_log;
   bool once = false;
+  bool json = false;
+  bool keep_interference = false;
+  bool keep_holes = false;
   bool verbose = false;
 };
+
+/// Nothing while other cameras do not disturb this one.
+std::string interference_text(const sensor::InterferenceFigures& figures) {
+  constexpr double kMinFlickering = 0.005, kMinNoiseRatio = 1.4;
+  if (!figures.is_known) return {};
+  std::string text;
+  if (figures.flickering >= kMinFlickering)
+    text += fmt::format(", {:.1f} % of still readings come and go", 100 * figures.flickering);
+  if (figures.noise_ratio >= kMinNoiseRatio)
+    text += fmt::format(", noise up to {:.1f} times the usual", figures.noise_ratio);
+  return text.empty() ? text : text + " (infrared interference)";
+}
+
+nlohmann::ordered_json status_json(const std::string& name, const sensor::SensorFeedStats& now,
+                                   const sensor::SensorFeedStats& before) {
+  nlohmann::ordered_json json = {{"sensor", name},
+                                 {"connected", now.source.is_connected},
+                                 {"frames_per_s", now.frames_sent - before.frames_sent},
+                                 {"bytes_per_s", now.bytes_sent - before.bytes_sent},
+                                 {"frames_sent", now.frames_sent},
+                                 {"frames_lost", now.source.frames_lost},
+                                 {"unplugged", now.source.disconnect_count}};
+  if (now.interference.is_known) {
+    json["interference"] = {{"flickering", now.interference.flickering},
+                            {"noise_ratio", now.interference.noise_ratio}};
+  }
+  return json;
+}
 
 std::string status_text(const std::string& name, const sensor::SensorFeedStats& now,
                         const sensor::SensorFeedStats& before) {
@@ -42,10 +74,10 @@ std::string status_text(const std::string& name, const sensor::SensorFeedStats& 
   if (now.source.frames_lost > 0) text += fmt::format(", {} lost", now.source.frames_lost);
   if (now.source.disconnect_count > 0)
     text += fmt::format(", unplugged {} times", now.source.disconnect_count);
-  return text;
+  return text + interference_text(now.interference);
 }
 
-Status wait_for_end(const sensor::SensorFeed& feed, const std::string& name,
+Status wait_for_end(const sensor::SensorFeed& feed, const std::string& name, bool json,
                     const std::stop_token& stop) {
   constexpr int kLooksPerSecond = 10;
   StatusLine line;
@@ -55,7 +87,14 @@ Status wait_for_end(const sensor::SensorFeed& feed, const std::string& name,
     std::this_thread::sleep_for(std::chrono::milliseconds(1000 / kLooksPerSecond));
     if (look % kLooksPerSecond != 0) continue;
     const sensor::SensorFeedStats now = feed.stats();
-    line.show(status_text(name, now, before));
+    if (json) {
+      print_out("{}\n",
+                status_json(name, now, before)
+                    .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+      std::fflush(stdout);
+    } else {
+      line.show(status_text(name, now, before));
+    }
     before = now;
   }
   return {};
@@ -75,14 +114,20 @@ Status run_sensor(SensorCommandOptions options) {
   if (!credential) return credential.error();
   options.feed.credential = *std::move(credential);
   options.feed.log = stderr_log("sensor", options.verbose);
+  options.feed.filter_interference = !options.keep_interference;
+  options.feed.complete_planes = !options.keep_holes;
   if (!options.frame_log.empty()) options.feed.frame_log = options.frame_log;
   options.feed.stop = stop.token();
   auto feed = sensor::SensorFeed::start(std::move(*source), options.feed);
   if (!feed) return feed.error();
-  print_out("roomcast sensor: joined as \"{}\"\n", name);
-  std::fflush(stdout);  // for who reads a pipe or a service's journal
-  const Status status = wait_for_end(**feed, name, stop.token());
-  print_out("roomcast sensor: {} frames sent as \"{}\"\n", (*feed)->stats().frames_sent, name);
+  if (!options.json) {
+    print_out("roomcast sensor: joined as \"{}\"\n", name);
+    std::fflush(stdout);  // for who reads a pipe or a service's journal
+  }
+  const Status status = wait_for_end(**feed, name, options.json, stop.token());
+  if (!options.json) {
+    print_out("roomcast sensor: {} frames sent as \"{}\"\n", (*feed)->stats().frames_sent, name);
+  }
   return status;
 }
 
@@ -119,6 +164,14 @@ void add_sensor_command(CLI::App& app, Command& chosen) {
   command->add_option("--preview", options->feed.preview,
                       "JPEG file, rewritten each second with the sensor's picture");
   add_codec_options(*command, options->feed.codec);
+  command->add_flag("--keep-interference", options->keep_interference,
+                    "With --codec live: do not remove what the infrared light of other cameras "
+                    "does to depth");
+  command->add_flag("--keep-holes", options->keep_holes,
+                    "With --codec live: do not fill the holes of large planes, such as glossy "
+                    "floors");
+  command->add_flag("--json", options->json,
+                    "Print a line of JSON each second instead of a status");
   command->add_flag("--once", options->once,
                     "Stop at the end of a recording instead of starting again");
   command->add_flag("--wait", options->feed.wait_for_hub, "Keep trying while no hub answers");

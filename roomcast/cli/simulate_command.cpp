@@ -27,7 +27,7 @@ struct SimulateCommand {
   double lost_percent = 0.5;
   bool clean = false;
   std::string harsh;  // empty: no
-  const CLI::Option *seconds = nullptr, *fps = nullptr;
+  const CLI::Option *seconds = nullptr, *fps = nullptr, *mutual = nullptr;
 };
 
 /// A harsh recording has a length and a rate of its own, unless they are given.
@@ -43,6 +43,7 @@ Status run_simulate(SimulateCommand command) {
   command.rig.timing.lost_share = 0.01 * command.lost_percent;
   if (!command.harsh.empty()) {
     command.rig.sensing.harsh = *simulator::harshness_named(command.harsh);
+    if (command.mutual->count() == 0) command.rig.sensing.mutual_interference = true;
     draw_length(command);
   }
   if (command.clean) command.rig.clean();
@@ -103,6 +104,9 @@ void add_sensor_options(CLI::App& command, SimulateCommand& values) {
                   "Bursts of infrared interference per minute and sensor")
       ->check(within(0.0, simulator::kMaxInterferencePerMinute))
       ->capture_default_str();
+  values.mutual = command.add_flag(
+      "--mutual-interference,!--no-mutual-interference", values.rig.sensing.mutual_interference,
+      "The sensors' infrared light disturbs the other sensors; with --harsh unless switched off");
   command
       .add_flag("--harsh{mixed}", values.harsh,
                 "Uncalibrated sensors as found in the field, drawn at random: noise, wrong lenses "

@@ -95,6 +95,13 @@ class Publisher::Link final : public HubLinkEvents {
       link_.send(*bundle_);
     });
   }
+  void report_health(const wire::pb::SensorHealth& health) {
+    boost::asio::post(network_.io(), [this, health] {
+      wire::pb::Control message;
+      *message.mutable_sensor_health() = health;
+      link_.send(message);
+    });
+  }
   void report_moved() {
     boost::asio::post(network_.io(), [this] {
       bundle_.reset();
@@ -329,6 +336,9 @@ void Publisher::send_bundle(wire::pb::CalibrationBundle bundle) {
   link_->send_bundle(std::move(bundle));
 }
 
+void Publisher::report_health(const wire::pb::SensorHealth& health) {
+  link_->report_health(health);
+}
 void Publisher::report_moved() {
   link_->report_moved();
 }

@@ -76,6 +76,9 @@ class Publisher {
   /// reconnection.
   void send_bundle(wire::pb::CalibrationBundle bundle);
 
+  /// Reports how much other sensors disturb this one. Lost without a connection.
+  void report_health(const wire::pb::SensorHealth& health);
+
   /// Reports that the sensor was moved: its known pose is invalid. A new bundle should follow.
   void report_moved();
 

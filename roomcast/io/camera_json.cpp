@@ -12,7 +12,8 @@
 namespace roomcast::io {
 namespace {
 
-constexpr double kLargestDepthScale = 1;  // one metre per unit
+constexpr double kMinFocal = 0.05, kMaxFocal = 100;  // times the picture's width
+constexpr double kLargestDepthScale = 1;             // one metre per unit
 constexpr double kLargestDepthBias_m = 0.5;
 constexpr double kQuaternionTolerance = 1e-3;
 constexpr std::uint64_t kLargestDepthValue = std::numeric_limits<std::uint16_t>::max();
@@ -121,10 +122,26 @@ void read_depth_values(const JsonFields& fields, RecordedCamera& camera) {
   }
 }
 
+/// Numbers that no lens has come from mistakes, such as metres in place of pixels. Empty: none.
+std::string mistake_in(const CameraIntrinsics& camera) {
+  const double width = camera.width, height = camera.height;
+  const auto is_focal = [&](double f) { return f >= kMinFocal * width && f <= kMaxFocal * width; };
+  if (!is_focal(camera.fx) || !is_focal(camera.fy))
+    return "has a focal length (fx, fy) that no lens of this picture's width has, in pixels";
+  const auto is_near = [](double centre, double side) {
+    return centre >= -side && centre <= 2 * side;
+  };
+  if (!is_near(camera.cx, width) || !is_near(camera.cy, height))
+    return "has its centre (cx, cy) far outside the picture";
+  return {};
+}
+
 void check_cameras(const JsonFields& fields, const SensorCalibration& calibration) {
   const auto check = [&](const char* name, const CameraIntrinsics& camera) {
     if (const Status status = camera.check(); !status.ok()) {
       fields.reject(name, "is refused: " + status.error().message);
+    } else if (const std::string mistake = mistake_in(camera); !mistake.empty()) {
+      fields.reject(name, mistake);
     }
   };
   check("depth", calibration.depth);

@@ -140,6 +140,15 @@ TEST(CameraJson, names_the_field_that_is_wrong) {
   }
 }
 
+TEST(CameraJson, numbers_that_no_lens_has_are_refused) {
+  for (const double focal : {1e9, 0.001}) {
+    const auto refusal = refusal_of(changed([&](json& c) { c["depth"]["fx"] = focal; }));
+    EXPECT_NE(refusal.find("focal length"), std::string::npos) << refusal;
+  }
+  const auto refusal = refusal_of(changed([](json& c) { c["color"]["cy"] = -1e5; }));
+  EXPECT_NE(refusal.find("centre"), std::string::npos) << refusal;
+}
+
 TEST(CameraJson, refuses_input_other_than_a_json_object) {
   EXPECT_NE(refusal_of("{\"depth\": ").find("not valid JSON"), std::string::npos);
   EXPECT_NE(refusal_of("").find("not valid JSON"), std::string::npos);

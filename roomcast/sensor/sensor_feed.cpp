@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/sensor/sensor_feed.h"
 
+#include <algorithm>
+#include <chrono>
 #include <mutex>
 #include <utility>
 
@@ -9,11 +11,16 @@
 #include "roomcast/geometry/hole_registration.h"
 #include "roomcast/sensor/bundle_monitor.h"
 #include "roomcast/sensor/frame_log.h"
+#include "roomcast/sensor/interference_filter.h"
+#include "roomcast/sensor/plane_completion.h"
 #include "roomcast/sensor/preview.h"
 #include "roomcast/sensor/sighting_detector.h"
+#include "roomcast/wire/limits.h"
 
 namespace roomcast::sensor {
 namespace {
+
+constexpr std::chrono::seconds kHealthInterval(2);
 
 client::PublisherOptions publisher_options(const source::SensorDescription& sensor,
                                            const SensorFeedOptions& feed) {
@@ -57,9 +64,14 @@ class SensorFeed::Worker {
         bundle_(source_->description().name, source_->description().calibration),
         registration_(std::move(registration)),
         encoder_(std::move(encoder)),
+        interference_(source_->description().fps),
+        filters_interference_(options.filter_interference &&
+                              options.codec.depth_mode == codec::DepthMode::kLive),
         full_color_kbit_per_s_(options.codec.color_kbit()),
         frame_log_(std::move(frame_log)) {
     if (!options.preview.empty()) preview_.emplace(options.preview);
+    if (options.complete_planes && options.codec.depth_mode == codec::DepthMode::kLive)
+      completion_.emplace(source_->description().calibration);
   }
 
   void set_publisher(std::unique_ptr<client::Publisher> publisher) {
@@ -76,6 +88,8 @@ class SensorFeed::Worker {
         break;
       } else {
         report_place();
+        watch_interference();
+        if (completion_) completion_->complete(captured_.depth_mm, captured_.color);
         status = send_captured();
         if (status) show_preview();
       }
@@ -87,7 +101,8 @@ class SensorFeed::Worker {
 
   SensorFeedStats stats() const {
     const client::PublisherStats sent = publisher_->stats();
-    return {sent.frames_sent, sent.frames_skipped, sent.bytes_sent, source_->health()};
+    std::lock_guard lock(mutex_);
+    return {sent.frames_sent, sent.frames_skipped, sent.bytes_sent, source_->health(), figures_};
   }
   std::optional<Status> result() const {
     std::lock_guard lock(mutex_);
@@ -114,6 +129,24 @@ class SensorFeed::Worker {
     if (!taken) return;
     if (auto sightings = sighting_detector_.add(captured_, *taken))
       publisher_->send_sightings(*std::move(sightings));
+  }
+
+  /// Measures how much other sensors disturb this one, and removes what can be removed.
+  void watch_interference() {
+    if (filters_interference_) {
+      interference_.filter(captured_.depth_mm);
+    } else {
+      interference_.measure(captured_.depth_mm);
+    }
+    const InterferenceFigures figures = interference_.figures();
+    if (!figures.is_known || captured_.capture_time < next_health_) return;
+    next_health_ = captured_.capture_time + kHealthInterval;
+    wire::pb::SensorHealth health;
+    health.set_flickering(static_cast<float>(figures.flickering));
+    health.set_noise_ratio(std::min(static_cast<float>(figures.noise_ratio), wire::kMaxNoiseRatio));
+    publisher_->report_health(health);
+    std::lock_guard lock(mutex_);
+    figures_ = figures;
   }
 
   /// Logs a reason unless it is the same as the last one.
@@ -183,6 +216,10 @@ class SensorFeed::Worker {
   std::string complaint_;  // the last reason that was logged
   HoleRegistration registration_;
   std::unique_ptr<codec::FrameEncoder> encoder_;
+  InterferenceFilter interference_;
+  const bool filters_interference_;
+  HostTime next_health_{};
+  std::optional<PlaneCompletion> completion_;
   const int full_color_kbit_per_s_;
   double rate_share_ = 1;  // the share that the encoder was set to
   std::optional<FrameLog> frame_log_;
@@ -194,6 +231,7 @@ class SensorFeed::Worker {
 
   mutable std::mutex mutex_;
   std::optional<Status> result_;
+  InterferenceFigures figures_;
 };
 
 SensorFeed::SensorFeed(std::unique_ptr<Worker> worker) : worker_(std::move(worker)) {

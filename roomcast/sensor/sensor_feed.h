@@ -16,6 +16,7 @@
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
 #include "roomcast/sensor/codec_choice.h"
+#include "roomcast/sensor/interference_meter.h"
 #include "roomcast/source/frame_source.h"
 
 namespace roomcast::sensor {
@@ -27,7 +28,9 @@ struct SensorFeedOptions {
   std::string name;  // empty: the source's own
   CodecChoice codec;
   bool wait_for_hub = false;
-  bool send_pose = true;  // send the source's pose; else the hub's aligner estimates it
+  bool filter_interference = true;  // live mode only; other modes send depth as it comes
+  bool complete_planes = true;      // likewise: depth where a large plane returns none
+  bool send_pose = true;            // send the source's pose; else the hub's aligner estimates it
   std::optional<std::filesystem::path> frame_log;  // one JSON line per frame sent
   std::filesystem::path preview;  // path of a picture, written once a second; empty: none
   LogSink log;
@@ -39,6 +42,7 @@ struct SensorFeedStats {
   std::uint64_t frames_skipped = 0;
   std::uint64_t bytes_sent = 0;
   source::SourceHealth source;
+  InterferenceFigures interference;
 };
 
 class SensorFeed {

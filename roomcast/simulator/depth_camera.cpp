@@ -198,14 +198,16 @@ void DepthCamera::read(const MovingThings& things, std::uint32_t key, nanosecond
   fill_unit_noise(profile.principle, key, gaussians_, work.noise.unit.view());
   still_.read(sensing_, work.noise, depth_mm.view());
   read_moving(things, work, depth_mm.view());
-  finish(work, depth_mm.view());
+  finish(work, scene_time, depth_mm.view());
 }
 
-void DepthCamera::finish(const Work& work, ImageView<std::uint16_t> depth_mm) const {
+void DepthCamera::finish(const Work& work, nanoseconds scene_time,
+                         ImageView<std::uint16_t> depth_mm) const {
   const SensorProfile& profile = sensing_.profile();
   const auto focal_px = static_cast<float>(profile.nominal.depth.fx);
   if (profile.principle == DepthPrinciple::kStructuredLight)
     match_by_patches(patches_key_, depth_mm);
+  others_.disturb(work.noise.key, scene_time, gaussians_, depth_mm);
   if (measures_disparity(profile.principle))
     take_stereo_shadow(work.clean_mm, focal_px, profile.baseline_mm, depth_mm);
   if (profile.disparity_step_px > 0.0F)

@@ -4,6 +4,8 @@
 // thread-safe if every thread uses its own Work.
 #pragma once
 
+#include <utility>
+
 #include "roomcast/core/clock.h"
 #include "roomcast/core/image.h"
 #include "roomcast/core/parallel_rows.h"
@@ -11,6 +13,7 @@
 #include "roomcast/simulator/people/moving_outline.h"
 #include "roomcast/simulator/people/moving_things.h"
 #include "roomcast/simulator/sensing/depth_sensing.h"
+#include "roomcast/simulator/sensing/mutual_interference.h"
 #include "roomcast/simulator/sensing/sensor_unit.h"
 #include "roomcast/simulator/simulated_room.h"
 #include "roomcast/simulator/tracing/static_plate.h"
@@ -30,6 +33,9 @@ class DepthCamera {
   DepthCamera(const SimulatedRoom& room, const SensorUnit& unit,
               const RigidTransform& world_from_depth, const SensingOptions& options,
               const Workers& workers);
+
+  /// From now on the light of other sensors disturbs this one.
+  void expose_to(MutualInterference others) { others_ = std::move(others); }
 
   [[nodiscard]] Work make_work() const;
   [[nodiscard]] const PlacedCamera& placed() const { return camera_; }
@@ -67,8 +73,8 @@ class DepthCamera {
   void for_each_moving(const Work& work, Do&& what) const;
   void read_moving(const MovingThings& things, Work& work, ImageView<std::uint16_t> out) const;
 
-  /// What the device does to its picture after sensing: patches, shadow, steps, scale.
-  void finish(const Work& work, ImageView<std::uint16_t> depth_mm) const;
+  /// What happens to the picture after sensing: patches, foreign light, shadow, steps, scale.
+  void finish(const Work& work, nanoseconds scene_time, ImageView<std::uint16_t> depth_mm) const;
 
   const Room& room_;
   bool noise_;
@@ -80,6 +86,7 @@ class DepthCamera {
   DepthSensing sensing_;
   StillDepth still_;
   Interference interference_;
+  MutualInterference others_;
   GaussianTable gaussians_;
 };
 

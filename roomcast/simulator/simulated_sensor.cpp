@@ -3,9 +3,11 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "roomcast/core/assert.h"
 #include "roomcast/simulator/random/value_noise.h"
+#include "roomcast/simulator/tracing/foreign_light.h"
 
 namespace roomcast::simulator {
 namespace {
@@ -60,7 +62,27 @@ SimulatedSensor::SimulatedSensor(std::shared_ptr<const SimulatedRoom> room, cons
           options.mount_from_depth),
       depth_(*room_, unit_, world_from_depth_, options.sensing, options.workers),
       color_(*room_, unit_, world_from_depth_ * unit_.exact.color_from_depth.inverse(),
-             options.workers) {}
+             options.workers) {
+  if (options.sensing.mutual_interference && options.sensing.noise)
+    depth_.expose_to(light_of_others());
+}
+
+simulator::MutualInterference SimulatedSensor::light_of_others() const {
+  std::vector<simulator::MutualInterference::Other> others;
+  for (int i = 0; i < options_.count; ++i) {
+    const auto& mount = room_->room().sensor_mounts[static_cast<std::size_t>(i)];
+    const simulator::SensorUnit unit = simulator::make_unit(options_.sensing, options_.seed, i);
+    if (i == options_.index ||
+        !simulator::disturbs(unit.profile.principle, unit_.profile.principle)) {
+      continue;
+    }
+    const simulator::PlacedCamera other(unit.exact.depth, world_from_mount(mount));
+    others.push_back(
+        {simulator::trace_foreign_light(room_->rays(), depth_.placed(), other, options_.workers),
+         simulator::FrameClock(options_.timing, options_.fps, unit.key)});
+  }
+  return {unit_.profile, unit_.key, std::move(others)};
+}
 
 std::uint32_t SimulatedSensor::noise_key(std::uint64_t frame) const {
   const auto key = simulator::hash_of(unit_.key, 6);

@@ -19,6 +19,7 @@
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/simulator/color_camera.h"
 #include "roomcast/simulator/depth_camera.h"
+#include "roomcast/simulator/sensing/frame_clock.h"
 #include "roomcast/simulator/sensing/sensing_options.h"
 #include "roomcast/simulator/simulated_room.h"
 
@@ -34,6 +35,9 @@ class SimulatedSensor {
     Workers workers = {};    // for tracing the empty room
     simulator::SensingOptions sensing;
     RigidTransform mount_from_depth = {};  // displacement from its mount
+    // Of the other sensors' frames, for mutual interference:
+    double fps = 30;
+    simulator::TimingOptions timing = {};
   };
 
   /// The sensor's view at an instant, with the memory of one thread.
@@ -94,6 +98,7 @@ class SimulatedSensor {
 
  private:
   SimulatedSensor(std::shared_ptr<const SimulatedRoom> room, const Options& options);
+  [[nodiscard]] simulator::MutualInterference light_of_others() const;
   [[nodiscard]] std::uint32_t noise_key(std::uint64_t frame) const;
   void register_color(Moment& moment, ColorImage& color) const;
 

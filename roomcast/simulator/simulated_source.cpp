@@ -123,6 +123,7 @@ Result<std::unique_ptr<source::FrameSource>> open_simulated_source(
   sensing.seed = options.seed;
   sensing.speed = spec->speed;
   sensing.sensing = spec->sensing;
+  sensing.fps = options.fps;
   sensing.workers = options.workers;
   auto sensor = SimulatedSensor::open(*room, sensing);
   if (!sensor) return std::move(sensor).error();

@@ -15,7 +15,9 @@ namespace {
 
 constexpr std::string_view kOptions =
     "; a simulated source is sim[:scene[,camera=kinect2|azure|d435][,speed=0..10][,color=half|full]"
-    "[,interference=BURSTS_PER_MINUTE][,bump_at=SECONDS][,bump_cm=0..100][,bump_deg=0..90][,board]["
+    "[,interference=BURSTS_PER_MINUTE][,mutual[=no]][,bump_at=SECONDS][,bump_cm=0..100][,bump_deg="
+    "0..90]"
+    "[,board]["
     ",harsh[=tof|structured|mixed]][,clean]"
     "]";
 
@@ -68,11 +70,16 @@ bool apply(std::string_view option, SimulatedSpec& spec) {
   if (name == "harsh") {
     const auto harshness = simulator::harshness_named(equals < option.size() ? value : "mixed");
     if (harshness) spec.sensing.harsh = *harshness;
+    spec.sensing.mutual_interference = true;
     return harshness.has_value();
   }
   if (name == "color") {
     spec.sensing.half_color = value == "half";
     return value == "half" || value == "full";
+  }
+  if (option == "mutual" || option == "mutual=no") {
+    spec.sensing.mutual_interference = option == "mutual";
+    return true;
   }
   if (option == "board") {
     spec.board = true;

@@ -2,6 +2,7 @@
 // The text after "sim:" on the command line: a scene and options, separated by commas.
 //   lab,camera=d435,speed=0.05,color=full,interference=2,bump_at=20,bump_cm=2,bump_deg=1,board,clean
 //   shelf-rows,harsh or shelf-rows,harsh=tof|structured|mixed
+//   lab,mutual: the sensors' infrared light disturbs the others, as with harsh; harsh,mutual=no
 #pragma once
 
 #include <optional>

@@ -43,6 +43,10 @@ TEST(SimulatedSpec, a_bump_has_its_time_and_size) {
 
 TEST(SimulatedSpec, harsh_sensors_are_mixed_or_of_a_kind) {
   EXPECT_EQ(parse_simulated_spec("lab")->sensing.harsh, Harshness::kNone);
+  EXPECT_FALSE(parse_simulated_spec("lab")->sensing.mutual_interference);
+  EXPECT_TRUE(parse_simulated_spec("lab,mutual")->sensing.mutual_interference);
+  EXPECT_TRUE(parse_simulated_spec("lab,harsh=tof")->sensing.mutual_interference);
+  EXPECT_FALSE(parse_simulated_spec("lab,harsh,mutual=no")->sensing.mutual_interference);
   EXPECT_EQ(parse_simulated_spec("shelf-rows,harsh")->sensing.harsh, Harshness::kMixed);
   EXPECT_EQ(parse_simulated_spec("lab,harsh=tof")->sensing.harsh, Harshness::kTimeOfFlight);
   EXPECT_EQ(parse_simulated_spec("lab,harsh=structured")->sensing.harsh,

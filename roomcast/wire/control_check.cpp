@@ -252,6 +252,13 @@ Status check_stats(const pb::ViewerStats& stats) {
   return {};
 }
 
+Status check_health(const pb::SensorHealth& health) {
+  const bool is_share = health.flickering() >= 0 && health.flickering() <= 1;
+  const bool is_ratio = health.noise_ratio() >= 0 && health.noise_ratio() <= kMaxNoiseRatio;
+  if (!is_share || !is_ratio) return malformed("a sensor's health must be a share and a ratio");
+  return {};
+}
+
 Status check_other_hubs(const pb::OtherHubs& message) {
   if (message.urls_size() > kMaxOtherHubs) {
     return Error{ErrorCode::kTooLarge, "there are too many other hubs"};
@@ -303,6 +310,8 @@ Status check_control(const pb::Control& control) {
       return check_viewer_poses(control.viewer_poses());
     case pb::Control::kViewerStats:
       return check_stats(control.viewer_stats());
+    case pb::Control::kSensorHealth:
+      return check_health(control.sensor_health());
     case pb::Control::kCalibrationBundle:
       return check_bundle(control.calibration_bundle());
     case pb::Control::kPlacements:

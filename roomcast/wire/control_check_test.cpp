@@ -273,6 +273,14 @@ TEST(ControlCheck, ids_and_statistics_are_checked) {
   pb::Control stats;
   stats.mutable_viewer_stats()->set_latency_ms(std::numeric_limits<float>::infinity());
   EXPECT_FALSE(check_control(stats).ok());
+  pb::Control health;
+  health.mutable_sensor_health()->set_flickering(0.1F);
+  health.mutable_sensor_health()->set_noise_ratio(2);
+  EXPECT_TRUE(check_control(health).ok());
+  health.mutable_sensor_health()->set_flickering(1.1F);
+  EXPECT_FALSE(check_control(health).ok());
+  health.mutable_sensor_health()->set_flickering(std::numeric_limits<float>::quiet_NaN());
+  EXPECT_FALSE(check_control(health).ok());
 }
 
 }  // namespace

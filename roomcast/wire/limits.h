@@ -42,6 +42,7 @@ inline constexpr int kMaxPeopleHere = 64;                // that one hub reports
 inline constexpr std::size_t kMaxPeopleElsewhere = 128;  // in a room
 inline constexpr unsigned kMaxHubsAway = 4;
 inline constexpr int kMaxRevokedTokens = 256;  // per message
+inline constexpr float kMaxNoiseRatio = 1000;  // of a sensor's health
 inline constexpr int kMaxSightings = 64;       // of each kind, per message
 inline constexpr unsigned kMaxImageSide = 8192;
 inline constexpr unsigned kMinDepthSide = 16;

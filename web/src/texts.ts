@@ -32,6 +32,12 @@ export const consoleTexts = {
   charts: { fps: 'frames', rate: 'bandwidth', latency: 'age', leftOut: 'skipped' },
   clock: (error_ms: number) => `clock known to ±${Math.max(0.1, error_ms).toFixed(error_ms < 10 ? 1 : 0)} ms`,
   clockUnknown: 'clock not known yet',
+  interference: {
+    none: 'no interference by other infrared cameras',
+    flickering: (share: number) => `${(100 * share).toFixed(share < 0.1 ? 1 : 0)} % of still readings come and go`,
+    noise: (ratio: number) => `noise up to ${ratio.toFixed(1)} times the usual`,
+    title: 'Infrared interference',
+  },
   mapLabel: (sensors: number) => `The room from above with ${sensors} sensors and the pairs that see the same surfaces`,
   pairsTitle: 'Pairs',
   pairsHelp:

@@ -124,6 +124,14 @@ Json sensor_json(const SensorStats& sensor, const std::string& address) {
                {"unverified", sensor.pose.source == PoseSource::kStored},
                {"expected_error_mm", sensor.pose.expected_error_mm},
                {"world_from_depth", row_major_from_transform(sensor.pose.world_from_depth)}};
+  if (sensor.interference) {
+    const SensorInterference& disturbed = *sensor.interference;
+    json["interference"] = {{"flickering", disturbed.flickering},
+                            {"noise_ratio", disturbed.noise_ratio},
+                            {"neighbour", disturbed.neighbour},
+                            {"shared", disturbed.shared},
+                            {"advice", disturbed.advice}};
+  }
   if (sensor.clock_error_s) json["clock_error_ms"] = *sensor.clock_error_s * 1000;
   if (!address.empty()) json["address"] = address;
   if (!sensor.token_id.empty()) json["token_id"] = sensor.token_id;

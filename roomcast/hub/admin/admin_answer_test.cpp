@@ -37,6 +37,13 @@ TEST(AdminAnswer, a_sensor_has_only_known_fields) {
   EXPECT_EQ(json["address"], "192.0.2.7:5");
   EXPECT_EQ(json["world_from_depth"].size(), 16U);
   EXPECT_FALSE(json.contains("token_id"));
+  EXPECT_FALSE(json.contains("interference"));
+  sensor.interference = {
+      .flickering = 0.02, .neighbour = "right", .shared = 0.4, .advice = "Turn it."};
+  const Json disturbed = sensor_json(sensor, "")["interference"];
+  EXPECT_EQ(disturbed["flickering"], 0.02);
+  EXPECT_EQ(disturbed["neighbour"], "right");
+  EXPECT_EQ(disturbed["advice"], "Turn it.");
   EXPECT_FALSE(sensor_json({.name = "off"}, "").contains("address"));
 }
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "roomcast/hub/room/interference_advice.h"
 #include "roomcast/wire/limits.h"
 #include "roomcast/wire/pose_message.h"
 
@@ -36,6 +37,10 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
     case pb::Control::kSensorMoved:
       if (sensor == nullptr) break;
       lose_place(*sensor, now, out);
+      return out;
+    case pb::Control::kSensorHealth:
+      if (sensor == nullptr) break;
+      sensor->health = message.sensor_health();
       return out;
     case pb::Control::kSightings: {
       if (sensor == nullptr) break;
@@ -304,6 +309,7 @@ RoomStats Room::stats() const {
     entry.connection = sensor.connection.value_or(ConnectionId{});
     entry.token_id = sensor.connection ? sensor.token_id : "";
     entry.pose = sensor.pose;
+    entry.interference = interference_of(sensor, sensors_);
   }
   for (const auto& [connection, viewer] : viewers_) {
     stats.viewers.push_back({.id = viewer.id,

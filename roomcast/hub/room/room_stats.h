@@ -13,6 +13,15 @@
 
 namespace roomcast::hub {
 
+/// How much the infrared light of other sensors disturbs a sensor, by its own report.
+struct SensorInterference {
+  double flickering = 0;   // share of the readings of still surfaces that are missing
+  double noise_ratio = 1;  // largest noise of the last seconds, in the sensor's usual noise
+  std::string neighbour;   // the sensor that lights most of what this one sees; empty: unknown
+  double shared = 0;       // the share of this sensor's view that it lights
+  std::string advice;      // for people; empty: nothing needs to be done
+};
+
 struct SensorStats {
   SensorId id = {};
   std::string name = {};
@@ -20,6 +29,7 @@ struct SensorStats {
   ConnectionId connection = {};  // while online
   std::string token_id = {};     // of the token that it joined with
   SensorPose pose = {};
+  std::optional<SensorInterference> interference = {};
   std::uint64_t frames = 0;
   std::uint64_t bytes = 0;
   std::optional<std::uint32_t> newest_seq = {};  // nothing: no gap before the next frame

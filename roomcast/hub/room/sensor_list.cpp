@@ -107,6 +107,7 @@ void SensorList::disconnect(RoomSensor& sensor) {
   if (!sensor.connection) return;
   by_connection_.erase(*sensor.connection);
   sensor.connection.reset();
+  sensor.health.reset();
   sensor.left_as = ++departures_;
 }
 

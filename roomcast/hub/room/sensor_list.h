@@ -32,13 +32,14 @@ struct RoomSensor {
   std::optional<ConnectionId> connection = {};  // while online
   wire::pb::SensorRole description = {};        // from its newest Join
   SensorPose pose = {};
-  std::uint32_t valid_from_bundle = 0;           // ignore poses estimated from earlier bundles
-  std::optional<wire::pb::Control> bundle = {};  // the newest one since it joined
-  std::uint32_t bundles = 0;                     // number of bundles that it has ever sent
-  std::size_t bundle_hash = 0;                   // of the newest bundle
-  std::optional<std::size_t> verified_by = {};   // hash of the bundle its pose is from
-  std::string token_id = {};                     // of the token that it joined with
-  std::uint64_t left_as = 0;                     // counts the departures of all sensors
+  std::uint32_t valid_from_bundle = 0;                // ignore poses estimated from earlier bundles
+  std::optional<wire::pb::Control> bundle = {};       // the newest one since it joined
+  std::uint32_t bundles = 0;                          // number of bundles that it has ever sent
+  std::size_t bundle_hash = 0;                        // of the newest bundle
+  std::optional<std::size_t> verified_by = {};        // hash of the bundle its pose is from
+  std::string token_id = {};                          // of the token that it joined with
+  std::uint64_t left_as = 0;                          // counts the departures of all sensors
+  std::optional<wire::pb::SensorHealth> health = {};  // the newest of this connection
   KeyRequestPace key_pace = {};
   SensorStats stats = {};  // the counters that change with its frames
 };

@@ -70,7 +70,10 @@ Result<Devices> open_devices(const std::shared_ptr<const SimulatedRoom>& room,
                                                options.seed,
                                                options.speed,
                                                {options.threads, stop},
-                                               options.sensing});
+                                               options.sensing,
+                                               {},
+                                               options.fps,
+                                               options.timing});
     if (!sensor) return std::move(sensor).error();
     const simulator::FrameClock clock(options.timing, options.fps, (*sensor)->unit().key);
     devices.push_back({*std::move(sensor), clock, {}});

@@ -40,6 +40,7 @@ struct SensingOptions {
   bool calibration_error = true;       // the reported lens calibration is slightly wrong
   bool auto_exposure = true;           // exposure follows the scene; white balance differs per unit
   double interference_per_minute = 0;  // bursts of infrared interference between sensors
+  bool mutual_interference = false;    // of the infrared light of the room's other sensors
   Harshness harsh = Harshness::kNone;  // if not kNone, `camera` has no effect
 
   /// An error-free sensor of the same model.
@@ -47,6 +48,7 @@ struct SensingOptions {
     SensingOptions perfect = *this;
     perfect.noise = perfect.calibration_error = perfect.auto_exposure = false;
     perfect.interference_per_minute = 0;
+    perfect.mutual_interference = false;
     perfect.harsh = Harshness::kNone;
     return perfect;
   }

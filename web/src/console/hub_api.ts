@@ -26,6 +26,15 @@ export interface HubRoom extends RoomSettings {
   view: Who;
 }
 
+/** How much the infrared light of other cameras disturbs a sensor. */
+export interface HubInterference {
+  flickering: number; // share of the readings of still surfaces that are missing
+  noise_ratio: number; // largest noise of the last seconds, in the sensor's usual noise
+  neighbour: string; // '': unknown
+  shared: number; // share of the sensor's view that the neighbour lights
+  advice: string; // '': nothing needs to be done
+}
+
 export interface HubSensor {
   id: number;
   name: string;
@@ -37,6 +46,7 @@ export interface HubSensor {
   bytes_per_second: number;
   delay_ms?: number;
   clock_error_ms?: number;
+  interference?: HubInterference;
 }
 
 export interface HubViewer {

@@ -10,12 +10,14 @@ import { consoleTexts as texts } from '../texts';
 import { sensorColor } from '../view/sensor_color';
 import { Chart } from './chart';
 import type { HubSensor } from './hub_api';
+import { interferenceText } from './interference';
 import { Thumbnail } from './thumbnail';
 
 class SensorCard implements Row<RoomSensor> {
   readonly root = element('article', { class: 'card' });
   private readonly thumbnail: Thumbnail;
   private readonly clock = element('p', { class: 'note' });
+  private readonly interference = element('p', { class: 'note interference' });
   private readonly tag = element('span');
   private readonly wayOut: HTMLElement;
   private readonly charts = {
@@ -43,6 +45,7 @@ class SensorCard implements Row<RoomSensor> {
       element('h3', {}, swatch, entry.name, this.tag),
       element('div', { class: 'seen' }, this.thumbnail.root, element('div', { class: 'charts' }, ...charts)),
       this.clock,
+      this.interference,
       this.wayOut,
     );
   }
@@ -75,6 +78,9 @@ class SensorCard implements Row<RoomSensor> {
     const error_ms = hub?.clock_error_ms ?? this.clockError_ms;
     const clock = error_ms === undefined ? texts.clockUnknown : texts.clock(error_ms);
     setText(this.clock, entry.online ? [clock, hub?.address].filter(Boolean).join(' · ') : texts.gone);
+    const disturbed = entry.online ? hub?.interference : undefined;
+    setText(this.interference, disturbed ? interferenceText(disturbed) : '');
+    this.interference.classList.toggle('warning', Boolean(disturbed?.advice));
     this.root.classList.toggle('gone', !entry.online);
     this.wayOut.hidden = entry.online || hub === undefined;
     this.tag.replaceChildren(...[placementTag(entry.pose)].filter((tag) => tag !== undefined));
