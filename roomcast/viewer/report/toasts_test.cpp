@@ -55,7 +55,8 @@ TEST(Toasts, notices_that_last_are_before_the_eyes_only_at_first) {
   toasts.set_problems({lost_hub(), notice}, at(0s));
   EXPECT_EQ(toasts.before_eyes(at(1s)).size(), 2U);
   toasts.set_problems({lost_hub(), notice}, at(6s));
-  EXPECT_EQ(toasts.before_eyes(at(6s)), std::vector<Toast>({{Toast::Kind::kError, "The hub is lost."}}));
+  EXPECT_EQ(toasts.before_eyes(at(6s)),
+            std::vector<Toast>({{Toast::Kind::kError, "The hub is lost."}}));
   EXPECT_EQ(toasts.current(at(6s)).size(), 2U);
   toasts.add(Toast::Kind::kGood, "Saved.", at(7s));
   EXPECT_EQ(toasts.before_eyes(at(8s)).size(), 2U);
