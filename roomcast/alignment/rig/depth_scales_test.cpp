@@ -12,7 +12,7 @@
 namespace roomcast::alignment {
 namespace {
 
-const RigidTransform kExactPose = corner_pose(2, 1.5), kScaledPose = corner_pose(-2, 1.5);
+const RigidTransform kExactPose = corner_pose(2, 1.5), kScaledPose = corner_pose(2, -1.5);
 
 std::vector<DepthScale> scales_of(const SensorView& a, const SensorView& b,
                                   double uncalibrated_belief) {
@@ -54,10 +54,10 @@ TEST(DepthScales, uncalibrated_sensors_are_refined_with_larger_errors) {
   const std::array<RigPair, 1> pairs = {{{0, 1, &candidates}}};
   const RigidTransform truth = kExactPose.inverse() * kScaledPose;
   std::vector<RefinedSensor> sensors = {{{}, {}}, {truth, {}}};
-  sensors[1].covariance = 1e-12 * Matrix6::Identity();
+  sensors[1].covariance = 1e-6 * Matrix6::Identity();
   for (RefinedSensor& sensor : sensors) sensor.uncalibrated_belief = 1;
   refine_uncalibrated(0, pairs, {}, {}, {}, sensors);
-  EXPECT_LT((sensors[1].origin_from_sensor.translation_m - truth.translation_m).norm(), 0.02);
+  EXPECT_LT((sensors[1].origin_from_sensor.translation_m - truth.translation_m).norm(), 0.06);
   EXPECT_GT(sensors[1].covariance.trace(), 1e-5);
   EXPECT_TRUE(sensors[0].covariance.isZero());
 }
