@@ -36,6 +36,8 @@ struct JointFitOptions {
   template <class Visit>
   void for_each_field(Visit visit) const {
     visit("steps", steps, Range{0, 1000});
+    visit("first", first);
+    visit("last", last);
     visit("shrink", shrink, Range{0, 1});
     visit("patches", patches);
     visit("smooth_sigma_m", smooth_sigma_m, Range{1e-4, 1});

@@ -38,6 +38,13 @@ struct JointTerm {
 /// Reaches shrink from step to step of a fit.
 struct JointReach {
   double still_m = 0.15, moving_m = 0.25;
+
+  template <class Visit>
+  void for_each_field(Visit visit) const {
+    visit("still_m", still_m, Range{0.001, 10});
+    visit("moving_m", moving_m, Range{0.001, 10});
+  }
+  [[nodiscard]] Status check() const { return check_fields("JointReach", *this); }
 };
 
 struct JointTermOptions {

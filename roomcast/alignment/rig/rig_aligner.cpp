@@ -41,7 +41,7 @@ AlignmentReport RigAligner::solve(const AlignProgress& progress) {
   compare_new_pairs(progress);
   find_new_candidates(progress);
   if (progress) progress("placing all sensors", kPlacing);
-  if (scaling_ == DepthScaling::kEstimated && rescale_views()) {
+  if (scaling_ == DepthScaling::kEstimated && views_.size() > 1 && rescale_views()) {
     compare_new_pairs(progress);
     find_new_candidates(progress);
   }
