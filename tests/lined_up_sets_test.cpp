@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/client/clock_sync.h"
-#include "roomcast/client/ping_schedule.h"
 #include "roomcast/client/clocks_fixture.h"
+#include "roomcast/client/ping_schedule.h"
 #include "roomcast/hub/room/frame_synchronizer.h"
 #include "roomcast/recording/dataset/recording.h"
 #include "roomcast/wire/limits.h"

@@ -19,7 +19,7 @@ namespace {
 const Eigen::Vector3d kAhead_m(0, 0, 2.5);  // where views usually have something
 
 FramesAnswer answer_with(const FramesRig& rig, const FrameWindow& window) {
-  alignment::RigAligner aligner;
+  alignment::RigAligner aligner({}, alignment::DepthScaling::kEstimated);
   FramesAnswer answer{window, std::vector<alignment::SensorReport>(rig.sensors.size())};
   std::vector<std::size_t> given;
   for (std::size_t i = 0; i < rig.sensors.size(); ++i) {
@@ -105,6 +105,17 @@ FramesPairRow pair_row(const FramesRig& rig, const std::vector<FramesAnswer>& an
   return row;
 }
 
+void count_placed(const FramesAnswer& answer, FramesRigRow& row) {
+  bool all = true;
+  for (std::size_t i = 0; i < answer.sensors.size(); ++i) {
+    const alignment::SensorReport& sensor = answer.sensors[i];
+    row.placed += sensor.placed;
+    all = all && sensor.placed;
+    if (sensor.placed) row.depth_scales[i].push_back(depth_scale_of(sensor));
+  }
+  row.complete += all;
+}
+
 }  // namespace
 
 std::vector<FrameWindow> spread_windows(std::uint64_t frames, const FramesSuiteOptions& options) {
@@ -135,13 +146,14 @@ FramesRigRow run_frames_suite(const FramesRig& rig, const FramesSuiteOptions& op
   FramesRigRow row;
   row.rig = rig.name;
   row.sensors = static_cast<int>(rig.sensors.size());
+  row.depth_scales.resize(rig.sensors.size());
   std::vector<FramesAnswer> answers;
   const auto windows = spread_windows(rig.frames, options);
   for (const FrameWindow& window : windows) {
     if (progress)
       progress(fmt::format("{}: draw {} of {}", rig.name, answers.size() + 1, windows.size()));
     answers.push_back(answer_with(rig, window));
-    for (const auto& sensor : answers.back().sensors) row.placed += sensor.placed;
+    count_placed(answers.back(), row);
   }
   row.draws = static_cast<int>(answers.size());
   row.pairs = frames_pairs(rig, answers);

@@ -75,9 +75,11 @@ struct FramesPairRow {
 struct FramesRigRow {
   std::string rig;
   int draws = 0, sensors = 0;
-  int placed = 0;                    // of draws * sensors
-  std::vector<FramesPairRow> pairs;  // over the draws
-  std::vector<FramesPairRow> all;    // with all frames of the recording
+  int placed = 0;                                 // of draws * sensors
+  int complete = 0;                               // draws in which all sensors are placed
+  std::vector<std::vector<double>> depth_scales;  // by sensor: of the draws that place it
+  std::vector<FramesPairRow> pairs;               // over the draws
+  std::vector<FramesPairRow> all;                 // with all frames of the recording
 };
 
 /// The rows of the pairs of a rig, over some answers.

@@ -61,8 +61,8 @@ void print_table(const std::vector<FramesRigRow>& rows, std::ostream& out) {
   for (const FramesRigRow& row : rows) {
     print_pairs(row.rig, "draws", row.pairs, out);
     print_pairs(row.rig, "all", row.all, out);
-    out << fmt::format("{}: {} of {} sensors placed in {} draws\n", row.rig, row.placed,
-                       row.draws * row.sensors, row.draws);
+    out << fmt::format("{}: {} of {} sensors placed in {} draws, all of them in {}\n", row.rig,
+                       row.placed, row.draws * row.sensors, row.draws, row.complete);
   }
   out << "\nMedian, largest in mm. Error: against the truth, 2.5 m ahead of the second sensor. "
          "Spread: the same point, from its median over\nthe draws. Ball: distance between the two "
@@ -76,6 +76,8 @@ void print_json(const std::vector<FramesRigRow>& rows, std::ostream& out) {
                             {"draws", row.draws},
                             {"sensors", row.sensors},
                             {"placed", row.placed},
+                            {"complete_draws", row.complete},
+                            {"depth_scales", row.depth_scales},
                             {"pairs", json_of(row.pairs)},
                             {"all_frames", json_of(row.all)}});
   }

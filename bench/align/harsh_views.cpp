@@ -55,7 +55,8 @@ Result<HarshView> harsh_view(const simulator::SimulatedSensor& sensor, const std
     sensor.read_depth(frame, moment, depth_mm);
     sensor.read_color(frame, gain, moment, color);
     jpeg.pass(color);
-    if (const auto added = capture.add(depth_mm, color); !added) return added.error();
+    if (const auto added = capture.add(depth_mm, color, 1e-9 * double(time.count())); !added)
+      return added.error();
   }
   HarshView seen{nullptr, sensor.world_from_depth(), sensor.unit().depth_scale, nullptr};
   const auto bundle = capture.finish();

@@ -35,7 +35,7 @@ std::vector<RigEntry<View>> entries_of(const std::vector<View>& room,
 /// Aligns under names that reveal nothing about the rooms.
 template <class View>
 alignment::AlignmentReport aligned_unnamed(const std::vector<RigEntry<View>>& entries) {
-  alignment::RigAligner aligner;
+  alignment::RigAligner aligner({}, alignment::DepthScaling::kEstimated);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     auto view = std::make_shared<alignment::SensorView>(*entries[i].seen->view);
     view->name = "v" + std::to_string(i);

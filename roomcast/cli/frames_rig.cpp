@@ -2,6 +2,7 @@
 #include "roomcast/cli/frames_rig.h"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -38,7 +39,10 @@ Result<alignment::CalibrationBundle> bundle_of(const recording::Recording& recor
     const auto more = source.next(frame, {});
     if (!more) return more.error();
     if (!*more) break;
-    if (const auto added = capture.add(frame.depth_mm, frame.color); !added) return added.error();
+    const double time_s =
+        std::chrono::duration<double>(frame.capture_time.time_since_epoch()).count();
+    if (const auto added = capture.add(frame.depth_mm, frame.color, time_s); !added)
+      return added.error();
   }
   return capture.finish();
 }

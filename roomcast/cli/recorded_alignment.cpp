@@ -22,9 +22,10 @@ alignment::SensorReport unusable_sensor(const std::string& name, const Error& er
 alignment::AlignmentReport align_views(const std::vector<SharedView>& views,
                                        const std::string& method,
                                        const alignment::AlignmentOptions& options,
-                                       const alignment::AlignProgress& progress) {
+                                       const alignment::AlignProgress& progress,
+                                       alignment::DepthScaling scaling) {
   if (method == "homography") return alignment::align_by_homography(views, options.homography);
-  alignment::RigAligner aligner(options.rig);
+  alignment::RigAligner aligner(options.rig, scaling);
   for (const SharedView& view : views) aligner.add(view);
   return aligner.solve(progress);
 }
@@ -32,7 +33,8 @@ alignment::AlignmentReport align_views(const std::vector<SharedView>& views,
 Result<alignment::AlignmentReport> align_recording(const std::filesystem::path& rig,
                                                    const std::string& method,
                                                    const alignment::AlignmentOptions& options,
-                                                   const ReadProgress& progress) {
+                                                   const ReadProgress& progress,
+                                                   alignment::DepthScaling scaling) {
   const auto bundles = read_rig_bundles(rig, progress, options.bundle);
   if (!bundles) return bundles.error();
   std::vector<SharedView> views;
@@ -43,10 +45,12 @@ Result<alignment::AlignmentReport> align_recording(const std::filesystem::path& 
     view ? views.push_back(*view)
          : unusable.push_back(unusable_sensor(recorded.name, view.error()));
   }
-  alignment::AlignmentReport report =
-      align_views(views, method, options, [&](std::string_view step, double done) {
+  alignment::AlignmentReport report = align_views(
+      views, method, options,
+      [&](std::string_view step, double done) {
         progress(fmt::format("{:3.0f} %  {}", 100 * done, step));
-      });
+      },
+      scaling);
   report.sensors.insert(report.sensors.end(), unusable.begin(), unusable.end());
   return report;
 }

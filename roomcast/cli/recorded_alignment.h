@@ -15,15 +15,17 @@
 namespace roomcast::cli {
 
 /// `method` is "auto", or "homography" (the baseline).
-[[nodiscard]] alignment::AlignmentReport align_views(const std::vector<SharedView>& views,
-                                                     const std::string& method,
-                                                     const alignment::AlignmentOptions& options,
-                                                     const alignment::AlignProgress& progress);
+[[nodiscard]] alignment::AlignmentReport align_views(
+    const std::vector<SharedView>& views, const std::string& method,
+    const alignment::AlignmentOptions& options, const alignment::AlignProgress& progress,
+    alignment::DepthScaling scaling = alignment::DepthScaling::kAsCalibrated);
 
-/// Aligns the sensors of a rig folder. A sensor without a usable bundle is in the report, with the
-/// reason. Errors of read_rig_bundles.
+/// Aligns the sensors of a rig folder, with factors on their readings where `scaling` allows that
+/// and they are determined. A sensor without a usable bundle is in the report, with the reason.
+/// Errors of read_rig_bundles.
 [[nodiscard]] Result<alignment::AlignmentReport> align_recording(
     const std::filesystem::path& rig, const std::string& method,
-    const alignment::AlignmentOptions& options, const ReadProgress& progress);
+    const alignment::AlignmentOptions& options, const ReadProgress& progress,
+    alignment::DepthScaling scaling = alignment::DepthScaling::kAsCalibrated);
 
 }  // namespace roomcast::cli

@@ -10,95 +10,119 @@
 namespace roomcast::alignment {
 namespace {
 
-/// The blocks of an instant, with a factor on the readings.
-struct Blocks {
-  const SensorView& view;
-  const DepthInstant& instant;
-  float scale;
+/// One direction of a pair: points of `source` are looked up in `target`.
+struct MovingDirection {
+  const MovingSide& source;
+  const MovingSide& target;
+  Eigen::Matrix3f rotation;  // target from source
+  Eigen::Vector3f shift;
+  float reach_m;
 
-  [[nodiscard]] bool moving(int x, int y) const { return instant.moving.at(x, y) != 0; }
-  [[nodiscard]] Eigen::Vector3f point(int x, int y) const {
-    const float z_m = 0.001F * scale * static_cast<float>(instant.depth_mm.at(x, y));
-    return z_m * view.block_rays.at(x, y).homogeneous();
-  }
-  /// From the four blocks around, where all of them move.
-  [[nodiscard]] std::optional<SurfacePoint> surface(int x, int y) const {
-    if (x < 1 || y < 1 || x + 1 >= instant.moving.width() || y + 1 >= instant.moving.height())
-      return std::nullopt;
-    if (!moving(x, y) || !moving(x - 1, y) || !moving(x + 1, y) || !moving(x, y - 1) ||
-        !moving(x, y + 1))
-      return std::nullopt;
-    const Eigen::Vector3f across = point(x + 1, y) - point(x - 1, y);
-    const Eigen::Vector3f down = point(x, y + 1) - point(x, y - 1);
-    const SurfacePoint here{point(x, y), down.cross(across).normalized()};
-    return here.normal.hasNaN() || here.point_m.hasNaN() ? std::nullopt : std::optional(here);
-  }
+  MovingDirection(const MovingSide& from, const MovingSide& to, const RigidTransform& to_from_from,
+                  float reach)
+      : source(from),
+        target(to),
+        rotation(to_from_from.rotation.cast<float>()),
+        shift(to_from_from.translation_m.cast<float>()),
+        reach_m(reach) {}
 };
 
-/// Calls visit(of_source, of_target) for the points of the source that the target shows too.
-template <class Visit>
-void for_each_moving_partner(const Blocks& source, const Blocks& target,
-                             const RigidTransform& target_from_source, float reach_m,
-                             const MovingPartnerOptions& options, Visit visit) {
-  const Eigen::Matrix3f rotation = target_from_source.rotation.cast<float>();
-  const Eigen::Vector3f shift = target_from_source.translation_m.cast<float>();
-  const float slide_m = options.slide_per_reach * reach_m;
-  for (int y = 1; y + 1 < source.instant.moving.height(); ++y) {
-    for (int x = 1; x + 1 < source.instant.moving.width(); ++x) {
-      const auto of_source = source.surface(x, y);
-      if (!of_source) continue;
-      const Eigen::Vector3f point = rotation * of_source->point_m + shift;
-      Eigen::Vector2f pixel;
-      if (!target.view.surface.lens.project(point, pixel)) continue;
-      const auto of_target =
-          target.surface(static_cast<int>(std::floor(pixel.x() / kInstantBlock)),
-                         static_cast<int>(std::floor(pixel.y() / kInstantBlock)));
-      if (!of_target) continue;
-      const Eigen::Vector3f apart = point - of_target->point_m;
-      const float residual_m = of_target->normal.dot(apart);
-      if (std::abs(residual_m) > reach_m || apart.norm() > slide_m) continue;
-      if (of_target->normal.dot(rotation * of_source->normal) < options.min_cosine) continue;
-      visit(*of_source, *of_target, residual_m);
+struct MovingPartner {
+  const SurfacePoint* seen;  // by the target
+  Eigen::Vector3f normal;    // mean of both, in the target's frame
+  float residual_m;
+};
+
+const MovingSurface* surface_at_time(std::span<const MovingSurface> surfaces, double time_s,
+                                     double max_apart_s) {
+  const MovingSurface* nearest = nullptr;
+  for (const MovingSurface& each : surfaces) {
+    const double apart_s = std::abs(each.time_s - time_s);
+    if (apart_s <= max_apart_s && (!nearest || apart_s < std::abs(nearest->time_s - time_s)))
+      nearest = &each;
+  }
+  return nearest;
+}
+
+std::optional<MovingPartner> partner_of(const SurfacePoint& of_source, const MovingDirection& way,
+                                        const MovingSurface& surface,
+                                        const MovingPartnerOptions& options) {
+  const auto scale_from = static_cast<float>(way.source.scale);
+  const auto scale_to = static_cast<float>(way.target.scale);
+  const Eigen::Vector3f point = way.rotation * (scale_from * of_source.point_m) + way.shift;
+  Eigen::Vector2f pixel;
+  if (!way.target.lens.project(point, pixel)) return std::nullopt;
+  const int x = static_cast<int>(std::floor(pixel.x() / kInstantBlock));
+  const int y = static_cast<int>(std::floor(pixel.y() / kInstantBlock));
+  const Eigen::Vector3f normal = way.rotation * of_source.normal;
+  const SurfacePoint* nearest = nullptr;
+  float nearest_m = options.slide_per_reach * way.reach_m;
+  for (int v = std::max(0, y - options.window);
+       v <= std::min(surface.at.height() - 1, y + options.window); ++v) {
+    for (int u = std::max(0, x - options.window);
+         u <= std::min(surface.at.width() - 1, x + options.window); ++u) {
+      const SurfacePoint& seen = surface.at.at(u, v);
+      if (!(seen.normal.dot(normal) >= options.min_cosine)) continue;
+      const float apart_m = (point - scale_to * seen.point_m).norm();
+      if (apart_m >= nearest_m) continue;
+      nearest_m = apart_m;
+      nearest = &seen;
     }
   }
+  if (!nearest) return std::nullopt;
+  const Eigen::Vector3f mean = (nearest->normal + normal).normalized();
+  const float residual_m = mean.dot(point - scale_to * nearest->point_m);
+  if (!(std::abs(residual_m) <= way.reach_m)) return std::nullopt;
+  return MovingPartner{nearest, mean, residual_m};
+}
+
+/// Calls visit(of_source, partner) for the points of the source that the target shows too.
+template <class Visit>
+std::size_t for_each_moving_partner(const MovingDirection& way, const MovingPartnerOptions& options,
+                                    Visit visit) {
+  std::size_t all = 0;
+  for (const MovingSurface& surface : way.source.surfaces) all += surface.blocks.size();
+  const std::size_t step = std::max<std::size_t>(1, all / options.points);
+  std::size_t number = 0, instants = 0;
+  for (const MovingSurface& from : way.source.surfaces) {
+    const MovingSurface* const to =
+        surface_at_time(way.target.surfaces, from.time_s, options.max_apart_s);
+    if (!to) continue;
+    bool any = false;
+    for (const Eigen::Vector2i& block : from.blocks) {
+      if (number++ % step != 0) continue;
+      const SurfacePoint& of_source = from.at.at(block.x(), block.y());
+      const auto partner = partner_of(of_source, way, *to, options);
+      if (!partner) continue;
+      visit(of_source, *partner);
+      any = true;
+    }
+    instants += any;
+  }
+  return instants;
 }
 
 }  // namespace
 
-MovingPartners moving_partners(const SensorView& a, double scale_a, const SensorView& b,
-                               double scale_b, const RigidTransform& a_from_b, float reach_m,
-                               const MovingPartnerOptions& options,
-                               const MovingConsistencyOptions& moving) {
+MovingPartners moving_partners(const MovingSide& a, const MovingSide& b,
+                               const RigidTransform& a_from_b, float reach_m,
+                               const MovingPartnerOptions& options) {
   MovingPartners found;
+  const auto variance_m2 = static_cast<float>(options.surface_sigma_m * options.surface_sigma_m);
   const Eigen::Matrix3f rotation = a_from_b.rotation.cast<float>();
-  for (const DepthInstant& instant : b.instants) {
-    const DepthInstant* const other = instant_at(a.instants, instant.time_s, moving.max_apart_s);
-    if (!other) continue;
-    const Blocks of_a{a, *other, static_cast<float>(scale_a)};
-    const Blocks of_b{b, instant, static_cast<float>(scale_b)};
-    const double late_m = options.speed_m_s * (instant.time_s - other->time_s);
-    const auto variance_m2 = [&](const SurfacePoint& in_a, const SurfacePoint& in_b) {
-      const double sigma_a = a.surface.options.noise.sigma_m(in_a.point_m.z());
-      const double sigma_b = b.surface.options.noise.sigma_m(in_b.point_m.z());
-      return static_cast<float>(0.5 * (sigma_a * sigma_a + sigma_b * sigma_b) + late_m * late_m +
-                                options.surface_sigma_m * options.surface_sigma_m);
-    };
-    const std::size_t before = found.partners.size();
-    for_each_moving_partner(of_b, of_a, a_from_b, reach_m, options,
-                            [&](const SurfacePoint& in_b, const SurfacePoint& in_a, float m) {
-                              found.partners.push_back({in_a.point_m, in_b.point_m, in_a.normal, m,
-                                                        variance_m2(in_a, in_b)});
-                            });
-    for_each_moving_partner(
-        of_a, of_b, a_from_b.inverse(), reach_m, options,
-        [&](const SurfacePoint& in_a, const SurfacePoint& in_b, float m) {
-          found.partners.push_back(
-              {in_a.point_m, in_b.point_m, rotation * in_b.normal, -m, variance_m2(in_a, in_b)});
-        });
-    const auto here = static_cast<double>(found.partners.size() - before);
-    found.independent += std::min(options.per_instant, here);
-  }
-  found.independent = std::min(found.independent, options.most);
+  const std::size_t of_b = for_each_moving_partner(
+      MovingDirection(b, a, a_from_b, reach_m), options,
+      [&](const SurfacePoint& in_b, const MovingPartner& in_a) {
+        found.partners.push_back(
+            {in_a.seen->point_m, in_b.point_m, in_a.normal, in_a.residual_m, variance_m2});
+      });
+  const std::size_t of_a = for_each_moving_partner(
+      MovingDirection(a, b, a_from_b.inverse(), reach_m), options,
+      [&](const SurfacePoint& in_a, const MovingPartner& in_b) {
+        found.partners.push_back({in_a.point_m, in_b.seen->point_m, rotation * in_b.normal,
+                                  -in_b.residual_m, variance_m2});
+      });
+  found.instants = std::max(of_a, of_b);
   return found;
 }
 

@@ -173,6 +173,24 @@ double PairCandidates::margin() const {
   return ranked_.size() == 1 ? ranked_[0].score : ranked_[0].score - ranked_[1].score;
 }
 
+PairCandidates::RestingMatches PairCandidates::resting_matches(const RigidTransform& one,
+                                                               const RigidTransform& other) const {
+  const Eigen::Matrix3f rotation_one = one.rotation.cast<float>(),
+                        rotation_other = other.rotation.cast<float>();
+  const Eigen::Vector3f shift_one = one.translation_m.cast<float>(),
+                        shift_other = other.translation_m.cast<float>();
+  RestingMatches sum;
+  for (const PointMatch& match : matches_) {
+    const bool by_one = distance_m(rotation_one, shift_one, match) < options_.inlier_m;
+    const bool by_other = distance_m(rotation_other, shift_other, match) < options_.inlier_m;
+    const auto weight = static_cast<double>(match.weight);
+    if (by_one) sum.one += weight;
+    if (by_other) sum.other += weight;
+    if (by_one && by_other) sum.common += weight;
+  }
+  return sum;
+}
+
 bool PairCandidates::same_pictures() const {
   return a_->surface.z_m == b_->surface.z_m && a_->picture.grey == b_->picture.grey;
 }

@@ -217,6 +217,13 @@ class PairCandidates {
   [[nodiscard]] PoseEvidence examine(const RigidTransform& a_from_b) const;
   [[nodiscard]] PoseEvidence examine(const PairState& state) const;
 
+  /// The matches on which two poses rest.
+  struct RestingMatches {
+    double one = 0, other = 0, common = 0;  // sums of their weights
+  };
+  [[nodiscard]] RestingMatches resting_matches(const RigidTransform& one,
+                                               const RigidTransform& other) const;
+
   /// Whether both views have identical pictures.
   [[nodiscard]] bool same_pictures() const;
 

@@ -154,23 +154,43 @@ std::string why_sensor_is_apart(const std::string& name, const std::vector<PairR
 }
 
 /// Refines all placed sensors at once, over all pairs of them with sufficient evidence at the given
-/// poses.
+/// poses. Sensors with factors on their readings are known not to be calibrated.
 void refine(std::span<const RigPair> pairs, const std::vector<RigidTransform>& origin_from_sensor,
-            const RigOptions& options, RigAnswer& answer) {
-  answer.refined = refine_rig(origin_from_sensor, answer.selection.origin,
-                              usable_pairs(pairs, answer.placed, origin_from_sensor, options),
-                              options.refinement, options.pair.residuals);
+            const RigOptions& options, std::span<const DepthScale> scales, RigAnswer& answer) {
+  const auto usable = usable_pairs(pairs, answer.placed, origin_from_sensor, options);
+  const std::size_t origin = answer.selection.origin;
+  answer.refined =
+      refine_rig(origin_from_sensor, origin, usable, options.refinement, options.pair.residuals);
+  const bool has_factors =
+      std::ranges::any_of(scales, [](const DepthScale& scale) { return scale.factor != 1; });
+  if (has_factors) {
+    for (RefinedSensor& sensor : answer.refined) sensor.uncalibrated_belief = 1;
+  }
+}
+
+/// Refines sensors that are not calibrated by all evidence, also by what moves. Returns whether
+/// they are.
+bool refine_jointly(std::span<const RigPair> pairs, const RigOptions& options,
+                    std::span<const DepthScale> scales, RigAnswer& answer) {
+  const std::size_t origin = answer.selection.origin;
+  if (answer.refined[origin].uncalibrated_belief < options.placing.uncalibrated) return false;
+  std::vector<RigidTransform> now;
+  for (const RefinedSensor& sensor : answer.refined) now.push_back(sensor.origin_from_sensor);
+  refine_uncalibrated(origin, usable_pairs(pairs, answer.placed, now, options), scales,
+                      options.depth_scales, options.pair.residuals, answer.refined);
+  return true;
 }
 
 /// Refines again from the refined poses, where other matches agree than at the start.
-void refine_again(std::span<const RigPair> pairs, const RigOptions& options, RigAnswer& answer) {
+void refine_again(std::span<const RigPair> pairs, const RigOptions& options,
+                  std::span<const DepthScale> scales, RigAnswer& answer) {
   std::vector<RigidTransform> now;
   for (const RefinedSensor& sensor : answer.refined) now.push_back(sensor.origin_from_sensor);
-  refine(pairs, now, options, answer);
+  refine(pairs, now, options, scales, answer);
 }
 
-RigAnswer answer_of(std::size_t sensors, std::span<const RigPair> pairs,
-                    const RigOptions& options) {
+RigAnswer answer_of(std::size_t sensors, std::span<const RigPair> pairs, const RigOptions& options,
+                    std::span<const DepthScale> scales) {
   // 1. Select the hypotheses that fit together, and the sensors without a rival pose.
   RigAnswer answer;
   answer.selection =
@@ -178,24 +198,43 @@ RigAnswer answer_of(std::size_t sensors, std::span<const RigPair> pairs,
   answer.placed = placed_sensors(answer.selection, options.pair.evidence.min_margin);
 
   // 2. Refine them jointly.
-  refine(pairs, answer.selection.best.group_from_sensor, options, answer);
+  refine(pairs, answer.selection.best.group_from_sensor, options, scales, answer);
   return answer;
+}
+
+/// The answer, refined jointly if its sensors are not calibrated and that does not contradict what
+/// they see; else with the errors of the joint refinement only. Nothing if neither can be true.
+std::optional<RigAnswer> uncontradicted(std::span<const RigPair> pairs, const RigAnswer& answer,
+                                        bool contradicted, const RigOptions& options,
+                                        std::span<const DepthScale> scales, RigCheck& check) {
+  RigAnswer joint = answer;
+  const bool is_uncalibrated = refine_jointly(pairs, options, scales, joint);
+  if (is_uncalibrated && !check.contradicted_sensor(pairs, joint)) return joint;
+  if (contradicted) return std::nullopt;
+  RigAnswer kept = answer;
+  if (is_uncalibrated) {
+    for (std::size_t i = 0; i < kept.refined.size(); ++i)
+      kept.refined[i].covariance = joint.refined[i].covariance;
+  }
+  return kept;
 }
 
 /// Solves until the answer does not contradict itself. The most contradicted sensor is removed each
 /// time, and the rest is solved again, because it must be valid on its own.
 RigAnswer answer_without_contradiction(std::size_t sensors, std::span<const RigPair> pairs,
-                                       const RigOptions& options) {
+                                       const RigOptions& options,
+                                       std::span<const DepthScale> scales) {
   std::vector<RigPair> left(pairs.begin(), pairs.end());
   RigCheck check(options.contradiction);
   for (;;) {
-    RigAnswer answer = answer_of(sensors, left, options);
+    RigAnswer answer = answer_of(sensors, left, options, scales);
     auto fooled = check.contradicted_sensor(left, answer);
     if (fooled) {
-      refine_again(left, options, answer);  // the poses may not be exact yet
+      refine_again(left, options, scales, answer);  // the poses may not be exact yet
       fooled = check.contradicted_sensor(left, answer);
     }
-    if (!fooled) return answer;
+    const auto found = uncontradicted(left, answer, fooled.has_value(), options, scales, check);
+    if (found) return *found;
     std::erase_if(
         left, [&](const RigPair& pair) { return pair.first == *fooled || pair.second == *fooled; });
   }
@@ -261,7 +300,7 @@ SensorReport report_of(std::size_t index, const std::string& name, const RigAnsw
 
 std::vector<DepthScale> rig_depth_scales(std::size_t sensors, std::span<const RigPair> pairs,
                                          const RigOptions& options) {
-  const RigAnswer answer = answer_of(sensors, pairs, options);
+  const RigAnswer answer = answer_of(sensors, pairs, options, {});
   std::vector<RigPair> of_placed;
   for (const RigPair& pair : pairs) {
     if (answer.placed[pair.first] && answer.placed[pair.second]) of_placed.push_back(pair);
@@ -271,10 +310,10 @@ std::vector<DepthScale> rig_depth_scales(std::size_t sensors, std::span<const Ri
 }
 
 AlignmentReport place_rig(std::span<const SensorView* const> views, std::span<const RigPair> pairs,
-                          const RigOptions& options) {
+                          const RigOptions& options, std::span<const DepthScale> scales) {
   AlignmentReport report;
   if (views.empty()) return report;
-  const RigAnswer answer = answer_without_contradiction(views.size(), pairs, options);
+  const RigAnswer answer = answer_without_contradiction(views.size(), pairs, options, scales);
   const WorldFrame world = world_of(views, answer, options.world_frame);
   report.has_floor = world.has_floor;
   for (const RigPair& pair : pairs) report.pairs.push_back(report_of(pair, answer, options));

@@ -26,6 +26,9 @@ struct PlacingOptions {
   /// Surface points of each view, and their reach, for the residual in the report. By hand.
   std::size_t reported_points = 20'000;
   float reported_reach_m = 0.05F;
+  /// Belief that sensors are not calibrated from which poses are refined by all evidence
+  /// (depth_scales.h).
+  double uncalibrated = 0.5;
 
   template <class Visit>
   void for_each_field(Visit visit) const {
@@ -36,6 +39,7 @@ struct PlacingOptions {
     visit("pointing_sigma_rad", pointing_sigma_rad, Range{0, 1});
     visit("reported_points", reported_points, Range{1, 1e6});
     visit("reported_reach_m", reported_reach_m, Range{0.001, 10});
+    visit("uncalibrated", uncalibrated, Range{0, 1});
   }
   [[nodiscard]] Status check() const { return check_fields("PlacingOptions", *this); }
 };
@@ -71,9 +75,11 @@ struct RigOptions {
                                                        std::span<const RigPair> pairs,
                                                        const RigOptions& options = {});
 
-/// `pairs` are all pairs of `views`.
+/// `pairs` are all pairs of `views`. `scales`: the factors with which the views were made, one for
+/// each view, or none.
 [[nodiscard]] AlignmentReport place_rig(std::span<const SensorView* const> views,
                                         std::span<const RigPair> pairs,
-                                        const RigOptions& options = {});
+                                        const RigOptions& options = {},
+                                        std::span<const DepthScale> scales = {});
 
 }  // namespace roomcast::alignment

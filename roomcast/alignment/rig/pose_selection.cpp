@@ -156,8 +156,41 @@ std::size_t largest_group(const PlacedGroups& placement) {
                                   members.begin());
 }
 
-void measure_margins(std::span<const PlacedGroups> answers, const RivalOptions& rivals,
-                     PoseSelection& selection) {
+const Eigen::Vector3d kRivalPoint_m(0, 0, 2.5);  // where sensors usually see something
+
+/// Whether two answers put a sensor by the same matches, and therefore mean the same place: those
+/// of a pair that has at least an equal share of all of the sensor's.
+bool rest_on_same_matches(std::size_t sensor, const PlacedGroups& one, const PlacedGroups& other,
+                          std::span<const RigPair> pairs, const RivalOptions& rivals) {
+  std::vector<PairCandidates::RestingMatches> of_pairs;
+  double all = 0;
+  for (const RigPair& pair : pairs) {
+    if (pair.first != sensor && pair.second != sensor) continue;
+    if (!one.together(pair.first, pair.second) || !other.together(pair.first, pair.second))
+      continue;
+    of_pairs.push_back(pair.candidates->resting_matches(one.relative(pair.first, pair.second),
+                                                        other.relative(pair.first, pair.second)));
+    all += of_pairs.back().one;
+  }
+  return std::ranges::any_of(of_pairs, [&](const PairCandidates::RestingMatches& matches) {
+    return matches.common > 0 &&
+           matches.common >= rivals.common_matches * std::max(matches.one, matches.other) &&
+           matches.one >= rivals.share_of_matches * all / static_cast<double>(of_pairs.size());
+  });
+}
+
+bool is_rival_of(std::size_t sensor, const PlacedGroups& best, const PlacedGroups& other,
+                 std::size_t origin, std::span<const RigPair> pairs, const RivalOptions& rivals) {
+  const RigidTransform here = best.relative(origin, sensor), there = other.relative(origin, sensor);
+  if (!are_rivals(here, there, rivals)) return false;
+  const PoseDifference apart = difference(here, there, kRivalPoint_m);
+  if (apart.angle_rad > rivals.same_angle_rad || apart.distance_m > rivals.same_distance_m)
+    return true;
+  return !rest_on_same_matches(sensor, best, other, pairs, rivals);
+}
+
+void measure_margins(std::span<const PlacedGroups> answers, std::span<const RigPair> pairs,
+                     const RivalOptions& rivals, PoseSelection& selection) {
   const PlacedGroups& best = selection.best;
   const std::size_t origin = selection.origin;
   selection.margin_to_rival.assign(best.group.size(), kNoRival);
@@ -166,11 +199,11 @@ void measure_margins(std::span<const PlacedGroups> answers, const RivalOptions& 
     const double behind = best.score - other.score;
     for (std::size_t i = 0; i < best.group.size(); ++i) {
       if (!best.together(i, origin)) continue;
-      if (!other.together(i, origin)) {
-        selection.margin_to_unplaced[i] = std::min(selection.margin_to_unplaced[i], behind);
-      } else if (are_rivals(best.relative(origin, i), other.relative(origin, i), rivals)) {
-        selection.margin_to_rival[i] = std::min(selection.margin_to_rival[i], behind);
-      }
+      double& margin = other.together(i, origin) ? selection.margin_to_rival[i]
+                                                 : selection.margin_to_unplaced[i];
+      if (behind >= margin) continue;
+      if (!other.together(i, origin) || is_rival_of(i, best, other, origin, pairs, rivals))
+        margin = behind;
     }
   }
 }
@@ -194,7 +227,7 @@ PoseSelection select_poses(std::size_t sensors, std::span<const RigPair> pairs,
       answers.begin(), answers.end(),
       [](const PlacedGroups& x, const PlacedGroups& y) { return x.score < y.score; });
   selection.origin = largest_group(selection.best);
-  measure_margins(answers, rivals, selection);
+  measure_margins(answers, pairs, rivals, selection);
   return selection;
 }
 

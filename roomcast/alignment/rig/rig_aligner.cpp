@@ -41,7 +41,7 @@ AlignmentReport RigAligner::solve(const AlignProgress& progress) {
   compare_new_pairs(progress);
   find_new_candidates(progress);
   if (progress) progress("placing all sensors", kPlacing);
-  if (scaling_ == DepthScaling::kEstimated && rescale_views()) {
+  if (scaling_ == DepthScaling::kEstimated && views_.size() > 1 && rescale_views()) {
     compare_new_pairs(progress);
     find_new_candidates(progress);
   }
@@ -84,7 +84,12 @@ void RigAligner::report_scales(AlignmentReport& report) const {
 AlignmentReport RigAligner::placed() const {
   std::vector<const SensorView*> views;
   for (const auto& view : views_) views.push_back(view.get());
-  return place_rig(views, pairs(), options_);
+  std::vector<DepthScale> scales;
+  for (const SensorView* view : views) {
+    const auto known = depth_scales_.find(view->name);
+    scales.push_back(known == depth_scales_.end() ? DepthScale{} : known->second);
+  }
+  return place_rig(views, pairs(), options_, scales);
 }
 
 const PairCandidates* RigAligner::pair(const std::string& one, const std::string& other) const {

@@ -21,8 +21,9 @@ std::optional<double> median_of(std::vector<double> values) {
 
 }  // namespace
 
-void LatencyBudget::shown(const client::SensorPicture& picture, const std::optional<client::ClockEstimate>& clock,
-                          HostTime begin, HostTime end) {
+void LatencyBudget::shown(const client::SensorPicture& picture,
+                          const std::optional<client::ClockEstimate>& clock, HostTime begin,
+                          HostTime end) {
   LatencyStages stages;
   stages.decoding_ms = in_ms(picture.decoded - picture.received);
   stages.waiting_ms = in_ms(begin - picture.decoded);

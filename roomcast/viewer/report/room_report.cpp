@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kBytesPerMegabyte = 1e6;
 
-std::optional<double> age_ms(const client::RoomSensor& sensor, const client::RoomSnapshot& room, HostTime now) {
+std::optional<double> age_ms(const client::RoomSensor& sensor, const client::RoomSnapshot& room,
+                             HostTime now) {
   if (!sensor.picture || !room.clock) return std::nullopt;
   const nanoseconds age = room.clock->room_time(now) - sensor.picture->capture_time;
   return std::max(0.0, std::chrono::duration<double, std::milli>(age).count());
@@ -26,8 +27,8 @@ void RoomReport::follow(const client::RoomSnapshot& room, HostTime now) {
     figures_.sensors.push_back(figures_of(sensor, room, now));
 }
 
-SensorFigures RoomReport::figures_of(const client::RoomSensor& sensor, const client::RoomSnapshot& room,
-                                     HostTime now) {
+SensorFigures RoomReport::figures_of(const client::RoomSensor& sensor,
+                                     const client::RoomSnapshot& room, HostTime now) {
   SensorMeters& meters = meters_[sensor.id];
   meters.frames.count(now, sensor.frames_received);
   meters.bytes.count(now, sensor.bytes_received);

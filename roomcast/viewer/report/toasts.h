@@ -32,8 +32,8 @@ class Toasts {
 
   /// Problems before other sentences; at most kMax.
   [[nodiscard]] std::vector<Toast> current(HostTime now) const;
-  /// For a wearer's eyes, which lasting sentences would disturb: of the problems, errors for as long
-  /// as they last and notices only at first.
+  /// For a wearer's eyes, which lasting sentences would disturb: of the problems, errors for as
+  /// long as they last and notices only at first.
   [[nodiscard]] std::vector<Toast> before_eyes(HostTime now) const;
 
  private:

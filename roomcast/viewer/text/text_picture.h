@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// TextPicture: draws sentences into a picture, each in its colour, on a dark ground, wrapped between
-// words. For places that have no Dear ImGui window, such as a headset. Fonts as LabelFont. Pure: no
-// GL context.
+// TextPicture: draws sentences into a picture, each in its colour, on a dark ground, wrapped
+// between words. For places that have no Dear ImGui window, such as a headset. Fonts as LabelFont.
+// Pure: no GL context.
 #pragma once
 
 #include <memory>

@@ -28,7 +28,9 @@ class RoomView {
   /// Sets the sensors not to draw; takes effect at the next show().
   void hide(std::set<SensorId> sensors) { hidden_ = std::move(sensors); }
   /// Errors as RoomRenderer::set_options.
-  Status set_options(const render::RenderOptions& options) { return renderer_.set_options(options); }
+  Status set_options(const render::RenderOptions& options) {
+    return renderer_.set_options(options);
+  }
 
   /// The other people, and the visible parts of this viewer.
   [[nodiscard]] PeopleView& people() { return people_; }

@@ -56,8 +56,7 @@ Result<std::unique_ptr<NoticeLayer>> NoticeLayer::create(XrSession session,
   return made;
 }
 
-NoticeLayer::NoticeLayer(Swapchain images)
-    : images_(std::move(images)), text_(kLetterHeight_px) {}
+NoticeLayer::NoticeLayer(Swapchain images) : images_(std::move(images)), text_(kLetterHeight_px) {}
 
 Status NoticeLayer::create_space(XrSession session) {
   auto info = xr_struct<XrReferenceSpaceCreateInfo>(XR_TYPE_REFERENCE_SPACE_CREATE_INFO);

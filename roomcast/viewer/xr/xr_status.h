@@ -15,10 +15,11 @@ namespace roomcast::viewer::xr {
 [[nodiscard]] Status xr_status(XrResult result, const std::string& what);
 
 /// Returns from the calling function with xr_status if `call` fails.
-#define ROOMCAST_XR_TRY(call, what)                                                               \
-  do {                                                                                            \
-    if (::roomcast::Status xr_try_status = ::roomcast::viewer::xr::xr_status(call, what); !xr_try_status) \
-      return std::move(xr_try_status).error();                                                    \
+#define ROOMCAST_XR_TRY(call, what)                                                       \
+  do {                                                                                    \
+    if (::roomcast::Status xr_try_status = ::roomcast::viewer::xr::xr_status(call, what); \
+        !xr_try_status)                                                                   \
+      return std::move(xr_try_status).error();                                            \
   } while (false)
 
 }  // namespace roomcast::viewer::xr
