@@ -15,13 +15,14 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-TruthViewEntry entry_from_json(const json& file, const json& view, const recording::RigDescription& rig,
-                               const fs::path& folder) {
+TruthViewEntry entry_from_json(const json& file, const json& view,
+                               const recording::RigDescription& rig, const fs::path& folder) {
   TruthViewEntry entry;
   entry.view = view.at("view");
   entry.instant = view.at("instant");
   const std::vector<double> pose = view.at("world_from_view");
-  entry.camera.world_from_view = transform_from_row_major(pose).value() * render::optical_from_view();
+  entry.camera.world_from_view =
+      transform_from_row_major(pose).value() * render::optical_from_view();
   entry.camera.width = file.at("width");
   entry.camera.height = file.at("height");
   entry.camera.vertical_fov_rad =

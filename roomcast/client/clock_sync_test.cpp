@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "roomcast/client/ping_schedule.h"
 #include "roomcast/client/clocks_fixture.h"
+#include "roomcast/client/ping_schedule.h"
 
 namespace roomcast::client {
 namespace {

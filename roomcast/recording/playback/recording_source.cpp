@@ -22,7 +22,7 @@ io::ImageSize size_of(const CameraIntrinsics& camera) {
 }
 
 Result<std::unique_ptr<source::FrameSource>> play(Result<Recording> recording,
-                                          const source::PlaybackOptions& options) {
+                                                  const source::PlaybackOptions& options) {
   if (!recording.ok()) return recording.error();
   return std::unique_ptr<source::FrameSource>(
       std::make_unique<RecordingSource>(std::move(*recording), options, SteadyClock().now()));
@@ -62,14 +62,14 @@ Status RecordingSource::read_pictures(const RecordedFrame& recorded, source::Cap
   return reader_.read_color(recorded.color, size_of(calibration.color), frame.color);
 }
 
-Result<std::unique_ptr<source::FrameSource>> open_rig_source(const std::string& directory,
-                                                     const std::string& sensor,
-                                                     const source::PlaybackOptions& options) {
+Result<std::unique_ptr<source::FrameSource>> open_rig_source(
+    const std::string& directory, const std::string& sensor,
+    const source::PlaybackOptions& options) {
   return play(read_rig_recording(directory, sensor), options);
 }
 
-Result<std::unique_ptr<source::FrameSource>> open_tum_source(const std::string& directory,
-                                                     const source::PlaybackOptions& options) {
+Result<std::unique_ptr<source::FrameSource>> open_tum_source(
+    const std::string& directory, const source::PlaybackOptions& options) {
   return play(read_tum_recording(directory), options);
 }
 

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "roomcast/render/gl/gl_fixture.h"
-#include "roomcast/render/surface/surface_mesh.h"
 #include "roomcast/render/surface/sensor_pictures_fixture.h"
+#include "roomcast/render/surface/surface_mesh.h"
 
 namespace roomcast::render {
 namespace {
