@@ -81,7 +81,7 @@ TEST_F(PictureFolder, cameras_may_be_those_of_a_camera_json) {
   put_text(folder_ / "recording.toml", text);
   EXPECT_EQ(refused().code, ErrorCode::kNotFound);
   SensorCalibration calibration = small_calibration();
-  calibration.depth.width = 3, calibration.depth.height = 2;
+  calibration.depth = {3, 2, 3, 3, 1, 0.5};
   put_text(folder_ / "camera.json", io::camera_json_text(calibration));
   EXPECT_TRUE(open_picture_folder(folder_.path()).ok());
 }
