@@ -83,7 +83,7 @@ TEST_F(PeopleViewTest, a_head_has_its_size_its_colour_and_its_depth) {
 
 TEST_F(PeopleViewTest, somebody_who_stands_where_the_eye_is_does_not_hide_the_room) {
   room.people[0].pose->world_from_head.translation_m = {0.05, 1.6, 0.1};
-  EXPECT_EQ(draw(), ColorImage(kSide, kSide, kBackground));
+  EXPECT_EQ(draw(), ColorImage(kPeopleViewSide, kPeopleViewSide, kBackground));
   room.people.push_back({ViewerId{3}, "Grace", kBlue, room.people[0].pose});
   room.people[1].pose->world_from_head.translation_m = {0, 1.6, -1.5};
   const ColorImage picture = draw();
