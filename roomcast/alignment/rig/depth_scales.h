@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Depth scales of a rig's sensors, relative to the origin's: a Kinect read 4.5 % too near. They are
 // estimated jointly with the poses (joint_fit.h), from surfaces and features that stand still and
-// from what moves at the same instant in two views. What stands still alone does not determine them
+// from what moves at the same instant in two views. Still surfaces alone do not determine them
 // (ADR 9). A factor is used only where it is determined and more likely than none (ADR 20).
 // Single-threaded.
 #pragma once

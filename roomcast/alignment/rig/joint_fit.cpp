@@ -201,7 +201,7 @@ Eigen::MatrixXd covariance_of(const System& system, const Eigen::VectorXd& prior
     if (of(by_patches) > of(model))
       covariance.block<kUnknowns, kUnknowns>(i, i) = by_patches.block<kUnknowns, kUnknowns>(i, i);
   }
-  // What is held here and free in `prior_of_all`: its posterior, carried over to the fit.
+  // The posterior of unknowns that are held here and free in `prior_of_all`, carried over.
   const Eigen::MatrixXd of_all = inverse_with(system.information, prior_of_all);
   Eigen::MatrixXd held = Eigen::MatrixXd::Zero(model.rows(), model.cols());
   for (Eigen::Index i = 0; i < prior.size(); ++i) {

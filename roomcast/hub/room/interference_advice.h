@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What to do about sensors that disturb each other with their infrared light. A sensor reports how
+// Advice about sensors that disturb each other with their infrared light. A sensor reports how
 // much it is disturbed, but not by whom; the neighbour to blame is the sensor that lights the
 // largest part of its view, by the poses and lenses that the room knows. Pure functions.
 #pragma once

@@ -225,7 +225,7 @@ std::vector<std::string> notes_of(const FileIndex& index,
   return notes;
 }
 
-/// What of a file becomes a sensor.
+/// The parts of a file that become a sensor.
 struct Parts {
   SensorFileInfo info;
   Tracks tracks;

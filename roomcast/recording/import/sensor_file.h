@@ -18,7 +18,7 @@ namespace roomcast::recording {
 /// The most frames of one sensor: 12 hours at 90 frames/s.
 inline constexpr std::size_t kMaxSensorFrames = 4U << 20U;
 
-/// What a recording tells about its sensor's clock.
+/// The clock of a recording's sensor, as far as the file states it.
 struct SensorClock {
   /// Time of day (UTC since 1970) minus device time, if known, and the largest error of that.
   std::optional<nanoseconds> utc_minus_device;
