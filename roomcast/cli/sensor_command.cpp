@@ -119,6 +119,7 @@ Status run_sensor(SensorCommandOptions options) {
   if (!options.frame_log.empty()) options.feed.frame_log = options.frame_log;
   options.feed.stop = stop.token();
   auto feed = sensor::SensorFeed::start(std::move(*source), options.feed);
+  if (!feed && stop.token().stop_requested()) return {};
   if (!feed) return feed.error();
   if (!options.json) {
     print_out("roomcast sensor: joined as \"{}\"\n", name);

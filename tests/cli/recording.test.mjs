@@ -2,6 +2,7 @@
 // Damaged recordings: roomcast names the file and the fault, and exits with 1.
 import assert from 'node:assert/strict';
 import { cpSync, existsSync, readFileSync, readdirSync, rmSync, truncateSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:net';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
@@ -181,6 +182,17 @@ test('a_simulated_sensor_and_the_demo_obey_while_they_prepare_the_room', async (
     t.diagnostic(`${args[0]}: ${took_ms.toFixed(0)} ms`);
     assert.ok(took_ms < obeysWithin_ms, `${args[0]}: ${took_ms} ms`);
   }
+});
+
+test('a_sensor_whose_hub_does_not_answer_obeys', async (t) => {
+  const silent = createServer(() => {});
+  await new Promise((resolve) => silent.listen(0, '127.0.0.1', resolve));
+  t.after(() => silent.close());
+  const asked = new Promise((resolve) => silent.once('connection', resolve));
+  const hub = `ws://127.0.0.1:${silent.address().port}`;
+  const program = new Program(['sensor', '--source', 'sim', '--hub', hub]);
+  (await asked).on('error', () => {});
+  assert.equal(await program.stop('SIGINT'), 0, program.stderr);
 });
 
 function hasPicture(rig) {
