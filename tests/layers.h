@@ -184,10 +184,12 @@ inline const std::vector<Layer> kLayers = {
      "alignment/board alignment/bundle alignment/pair alignment/person alignment/prior "
      "alignment/rig alignment/view client client/room codec core geometry io wire",
      "alignment/feature alignment/motion hub/server recording/dataset sensor"},
+    {"sensor/sender",
+     "client codec core geometry"},
     {"sensor",
      "alignment/board alignment/bundle alignment/motion alignment/person "
-     "alignment/service client codec codec/live core geometry io recording/import "
-     "recording/playback simulator source source/camera source/drivers wire",
+     "alignment/service client codec/live core geometry io recording/import "
+     "recording/playback sensor/sender simulator source source/camera source/drivers wire",
      "alignment/feature recording/dataset"},
     {"viewer/walk",
      "client/room core geometry",
@@ -237,7 +239,8 @@ inline const std::vector<Layer> kLayers = {
      "hub/runtime hub/server io net net/tls recording/recorder",
      "recording/room"},
     {"capi",
-     "client client/room codec core recording/recorder"},
+     "client client/room codec core geometry recording/recorder sensor/sender",
+     "hub/server"},
     {"cli",
      "* bench"},
     {"web/wasm",

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "roomcast/capi/c_border.h"
 #include "roomcast/capi/received_sensor.h"
 #include "roomcast/capi/room_points.h"
 #include "roomcast/client/subscriber.h"
@@ -38,47 +38,11 @@ namespace {
 
 using namespace roomcast;
 
-std::string text(const char* string) {
-  return string == nullptr ? "" : string;
-}
-
-void say(const std::string& sentence, char* error, std::size_t size) {
-  if (error == nullptr || size == 0) return;
-  const std::size_t length = std::min(sentence.size(), size - 1);
-  std::memcpy(error, sentence.data(), length);
-  error[length] = '\0';
-}
-
-/// Catches every exception, std::bad_alloc included, because a C caller cannot handle one. Returns
-/// `otherwise` then.
-template <class Value, class Call>
-Value guarded(Value otherwise, char* error, std::size_t size, Call call) noexcept {
-  try {
-    return call();
-  } catch (const std::exception& problem) {
-    say(problem.what(), error, size);
-  } catch (...) {
-    say("an unknown problem", error, size);
-  }
-  return otherwise;
-}
-
-/// Copies only to.size bytes: a caller built against an earlier header has a smaller structure.
-template <class Struct>
-void copy_known_part(const Struct& from, Struct& to) {
-  const std::size_t size = std::min(to.size, sizeof(Struct));
-  Struct copy = from;
-  copy.size = to.size;
-  std::memcpy(static_cast<void*>(&to), &copy, size);
-}
-
-/// Fields beyond given.size, which the caller does not know, are zero.
-template <class Struct>
-Struct known_part(const Struct& given) {
-  Struct known{};
-  std::memcpy(static_cast<void*>(&known), &given, std::min(given.size, sizeof(known)));
-  return known;
-}
+using capi::copy_known_part;
+using capi::guarded;
+using capi::known_part;
+using capi::say;
+using capi::text;
 
 roomcast_sensor describe(const capi::ReceivedSensor& received) {
   const client::RoomSensor& sensor = *received.sensor;
@@ -176,7 +140,7 @@ const char* roomcast_version(void) {
 
 roomcast_viewer* roomcast_connect(const roomcast_options* given, char* error, size_t error_size) {
   return guarded<roomcast_viewer*>(nullptr, error, error_size, [&]() -> roomcast_viewer* {
-    const roomcast_options options = known_part(*given);
+    const roomcast_options options = known_part(given);
     client::SubscriberOptions subscriber;
     subscriber.hub_url = text(options.hub);
     subscriber.room = text(options.room);
@@ -252,7 +216,7 @@ size_t roomcast_get_points(const roomcast_frames* frames, roomcast_point* points
 int roomcast_send_pose(roomcast_viewer* viewer, const roomcast_pose* given, char* error,
                        size_t error_size) {
   return guarded(0, error, error_size, [&] {
-    const auto pose = person_pose(known_part(*given));
+    const auto pose = person_pose(known_part(given));
     if (!pose) {
       say(pose.error().message, error, error_size);
       return 0;
@@ -265,7 +229,7 @@ int roomcast_send_pose(roomcast_viewer* viewer, const roomcast_pose* given, char
 roomcast_recorder* roomcast_record(const roomcast_options* given, const char* path, char* error,
                                    size_t error_size) {
   return guarded<roomcast_recorder*>(nullptr, error, error_size, [&]() -> roomcast_recorder* {
-    const roomcast_options options = known_part(*given);
+    const roomcast_options options = known_part(given);
     recording::RecorderOptions recorder;
     recorder.hub_url = text(options.hub);
     recorder.room = text(options.room);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/* roomcast.h: the C interface of libroomcast.so. It receives and records live rooms.
+/* roomcast.h: the C interface of libroomcast.so. It receives and records live rooms, and sends a
+ * sensor's frames into them.
  *
  * Units: metres and nanoseconds; depth is in millimetres, 0 where there is no reading. World frame:
  * right-handed, y up, floor at y = 0. Sensor frames: x right, y down, z forward. Matrices are
@@ -10,10 +11,11 @@
  * always terminated by a zero byte; may be NULL) and returns NULL, or 0 where it returns a flag.
  * The library prints nothing and throws nothing.
  *
- * Threads: all functions of one roomcast_viewer or roomcast_recorder may be called from several
- * threads at the same time, except the function that ends it: that call must be the last. A
- * roomcast_frames is immutable: several threads may read it until it is freed. Its pictures stay
- * valid after the viewer is disconnected.
+ * Threads: all functions of one roomcast_viewer, roomcast_publisher or roomcast_recorder may be
+ * called from several threads at the same time, except the function that ends it: that call must be
+ * the last. Different ones are independent of each other. A roomcast_frames is immutable: several
+ * threads may read it until it is freed. Its pictures stay valid after the viewer is disconnected.
+ * Memory that a caller passes in is read or written during the call only.
  *
  * Versions: every later libroomcast.so.1 is compatible with this header. Structures grow only at
  * their end. Set a structure's `size` to its sizeof before each call: the library reads and writes
@@ -37,6 +39,7 @@ extern "C" {
 typedef struct roomcast_viewer roomcast_viewer;
 typedef struct roomcast_frames roomcast_frames;
 typedef struct roomcast_recorder roomcast_recorder;
+typedef struct roomcast_publisher roomcast_publisher;
 
 /* The room to join. Strings may be NULL: not given. */
 typedef struct roomcast_options {
@@ -128,6 +131,84 @@ ROOMCAST_API int roomcast_is_recording(roomcast_recorder* recorder, char* error,
 /* Completes the file and frees the recorder. 1: the file is complete. */
 ROOMCAST_API int roomcast_stop_recording(roomcast_recorder* recorder, char* error,
                                          size_t error_size);
+
+/* ---- Being a sensor: since 1.2.0 ---- */
+
+/* The clock of roomcast_capture.capture_ns: this machine's CLOCK_MONOTONIC, in nanoseconds. */
+ROOMCAST_API int64_t roomcast_host_time_ns(void);
+
+/* A pinhole camera with Brown-Conrady distortion, as in OpenCV. */
+typedef struct roomcast_camera {
+  size_t size;
+  int32_t width, height; /* pixels; of a depth camera 16 to 4096, of a colour camera 2 to 8192 */
+  double fx, fy, cx, cy; /* pixels */
+  double k1, k2, k3, p1, p2; /* 0: no distortion */
+} roomcast_camera;
+
+/* Values of roomcast_sensor_options.depth_mode. */
+#define ROOMCAST_DEPTH_LIVE 0          /* few bytes: the sensor's noise is not sent */
+#define ROOMCAST_DEPTH_NEAR_LOSSLESS 1 /* every reading within depth_bound_mm */
+#define ROOMCAST_DEPTH_LOSSLESS 2      /* every reading exact */
+
+/* A sensor: its cameras, where it is, and how its frames are encoded. Only `depth` is required; all
+ * else may be 0 or NULL. Matrices point to 16 doubles. */
+typedef struct roomcast_sensor_options {
+  size_t size;
+  const roomcast_camera* depth;
+  const roomcast_camera* color;   /* NULL: colour, if any, comes in the depth camera's pixel grid */
+  const double* color_from_depth; /* NULL: both cameras are at the same place */
+  const double* world_from_depth; /* the sensor's pose; NULL: unknown */
+  double fps;                     /* frames a second, above 0 to 240; 0: 30 */
+  int32_t depth_mode;             /* ROOMCAST_DEPTH_... */
+  int32_t depth_bound_mm;         /* near-lossless: 1 to 63; 0: 2 */
+  int32_t color_kbit_per_s;       /* 50 to 100000; 0: 790 */
+} roomcast_sensor_options;
+
+/* One frame. Pictures have rows without gaps and the sizes of the sensor's cameras. */
+typedef struct roomcast_capture {
+  size_t size;
+  int64_t capture_ns;       /* as roomcast_host_time_ns: up to 10 s ago; 0: now */
+  const uint16_t* depth_mm; /* required; aligned to 2 bytes */
+  int32_t depth_width, depth_height;
+  const uint8_t* color_rgb; /* 3 bytes for each pixel; NULL: no colour in this frame */
+  int32_t color_width, color_height;
+} roomcast_capture;
+
+/* What became of a frame, and how the network keeps up. */
+typedef struct roomcast_send_report {
+  size_t size;
+  int32_t sent;            /* 1: on its way. 0: skipped, because the network does not keep up, or
+                              because there is no connection (or no room time yet, just after
+                              connecting) */
+  int32_t connected;       /* 0: the library is reconnecting */
+  uint32_t frames_waiting; /* frames that are not on the network yet */
+  uint32_t max_frames_waiting; /* with so many waiting, the next one is skipped */
+  uint32_t seq;                /* of a frame that was sent: its number, as in roomcast_sensor */
+  int64_t capture_ns;          /* and its capture time on the room clock, as in roomcast_sensor */
+  uint64_t frames_sent;        /* these three: since roomcast_publish() */
+  uint64_t frames_skipped;
+  uint64_t bytes_sent;
+  double rate_share; /* of the full colour rate, what the network carries: 0 to 1 */
+} roomcast_send_report;
+
+/* Joins a room as a sensor and waits for the hub's answer. options->name, required, is the sensor's
+ * identity: a sensor that comes back under its name keeps its ID and, if it was placed, its pose.
+ * Where the connection breaks later, the library reconnects. */
+ROOMCAST_API roomcast_publisher* roomcast_publish(const roomcast_options* options,
+                                                  const roomcast_sensor_options* sensor,
+                                                  char* error, size_t error_size);
+/* Encodes and sends one frame, or skips it if earlier frames still wait for the network (so that
+ * delay does not grow); it does not wait for the network. Takes as long as encoding takes. `report`
+ * may be NULL. 1: sent or skipped; `report` says which. 0: the frame is not as described above, it
+ * is larger than a hub takes (2 MiB when encoded), or the connection has ended for good; `error`
+ * says why. */
+ROOMCAST_API int roomcast_send_frame(roomcast_publisher* publisher, const roomcast_capture* capture,
+                                     roomcast_send_report* report, char* error, size_t error_size);
+/* 1: connected. 0: not connected (reconnecting, or ended for good); `error` says why. */
+ROOMCAST_API int roomcast_is_publishing(roomcast_publisher* publisher, char* error,
+                                        size_t error_size);
+/* Leaves the room and frees the publisher. Frames that still wait may be lost. NULL is ignored. */
+ROOMCAST_API void roomcast_stop_publishing(roomcast_publisher* publisher);
 
 #ifdef __cplusplus
 }

@@ -9,7 +9,7 @@
 
 #include "roomcast/cli/named_choice.h"
 #include "roomcast/cli/number_option.h"
-#include "roomcast/sensor/codec_choice.h"
+#include "roomcast/sensor/sender/codec_choice.h"
 
 namespace roomcast::cli {
 

@@ -26,6 +26,11 @@ struct Credential {
 /// file with a token.
 [[nodiscard]] Result<Credential> read_credential_file(const std::string& file);
 
+/// What a client says when it joins must be text that a hub can read: kMalformed or kTooLarge with
+/// the field. `role`: of the client, for the sentence.
+[[nodiscard]] Status check_join(const std::string& room, const std::string& role,
+                                const std::string& name, const Credential& credential);
+
 inline void show(const Credential& credential, wire::pb::Join& join) {
   join.set_token(credential.token);
   join.set_code(credential.code);

@@ -21,9 +21,6 @@
 namespace roomcast::client {
 namespace {
 
-constexpr std::size_t kMaxUnsentFrames =
-    2;  // one being written, one ready: more would only add delay
-
 wire::pb::Join join_message(const PublisherOptions& options) {
   wire::pb::Join join;
   join.set_room(options.room);
@@ -75,7 +72,7 @@ class Publisher::Link final : public HubLinkEvents {
 
   std::optional<Turn> next_turn() {
     std::lock_guard lock(mutex_);
-    const bool may_send = shared_.connected && shared_.clock && shared_.unsent < kMaxUnsentFrames;
+    const bool may_send = shared_.connected && shared_.clock && shared_.unsent < kMaxFramesWaiting;
     if (!may_send) {
       skip_frame();
       if (shared_.connected && shared_.clock) send_rate_.piled_up(SteadyClock().now());
@@ -131,9 +128,15 @@ class Publisher::Link final : public HubLinkEvents {
     std::lock_guard lock(mutex_);
     return shared_.failure;
   }
+  std::optional<Error> problem() const {
+    std::lock_guard lock(mutex_);
+    return shared_.connected ? std::nullopt : shared_.down;
+  }
   PublisherStats stats() const {
     std::lock_guard lock(mutex_);
-    return shared_.stats;
+    PublisherStats stats = shared_.stats;
+    stats.frames_waiting = shared_.connected ? shared_.unsent : 0;
+    return stats;
   }
 
   void on_welcome(const wire::pb::Welcome& welcome) override;
@@ -277,15 +280,14 @@ std::optional<Publisher::Published> Publisher::Link::publish(const Turn& turn,
                                                              const codec::EncodedFrameInfo& info,
                                                              HostTime capture_time,
                                                              net::MessageBuffer message) {
-  const auto bytes = message.payload();
-  auto header =
-      bytes.size() <= wire::kMaxFrameBytes ? make_header(turn, info, capture_time) : std::nullopt;
+  auto header = fits(message) ? make_header(turn, info, capture_time) : std::nullopt;
   if (!header) {
     std::lock_guard lock(mutex_);
     shared_.want_key = true;  // this frame is lost, and later ones may build on it
     skip_frame();
     return std::nullopt;
   }
+  const auto bytes = message.payload();
   header->payload_length = static_cast<std::uint32_t>(bytes.size() - wire::kFrameHeaderBytes);
   wire::write_frame_header(*header, bytes.first<wire::kFrameHeaderBytes>());
   boost::asio::post(network_.io(), [this, session = turn.session,
@@ -310,6 +312,8 @@ Publisher::~Publisher() = default;
 Result<std::unique_ptr<Publisher>> Publisher::open(PublisherOptions options) {
   auto hubs = net::parse_hub_urls(options.hub_url);
   if (!hubs) return hubs.error();
+  if (auto status = check_join(options.room, "sensor", options.name, options.credential); !status)
+    return status.error();
   auto link = std::make_unique<Link>(std::move(*hubs), std::move(options));
   if (auto status = link->wait_for_welcome(); !status) return status.error();
   return std::unique_ptr<Publisher>(new Publisher(std::move(link)));
@@ -323,6 +327,10 @@ net::MessageBuffer Publisher::begin_frame() {
   net::MessageBuffer message;
   message.appendable().resize(net::MessageBuffer::kHeadroom + wire::kFrameHeaderBytes);
   return message;
+}
+
+bool Publisher::fits(const net::MessageBuffer& message) {
+  return message.payload().size() <= wire::kMaxFrameBytes;
 }
 
 std::optional<Publisher::Published> Publisher::publish(const Turn& turn,
@@ -355,6 +363,9 @@ std::optional<RoomTime> Publisher::room_time(HostTime time) const {
 
 std::optional<Error> Publisher::failure() const {
   return link_->failure();
+}
+std::optional<Error> Publisher::problem() const {
+  return link_->problem();
 }
 PublisherStats Publisher::stats() const {
   return link_->stats();

@@ -5,6 +5,7 @@
 // network has a thread of its own.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -40,10 +41,15 @@ struct PublisherStats {
   std::uint64_t frames_sent = 0;
   std::uint64_t frames_skipped = 0;  // skipped by next_turn(), or lost in publish()
   std::uint64_t bytes_sent = 0;
+  std::size_t frames_waiting = 0;  // published, and not on the network yet: 0..kMaxFramesWaiting
 };
 
 class Publisher {
  public:
+  /// With so many frames unsent there is no turn: one being written, one ready. More would only add
+  /// delay.
+  static constexpr std::size_t kMaxFramesWaiting = 2;
+
   /// Connects and joins. kInvalidArgument: not a hub's address. kUnavailable, kNotFound,
   /// kUnsupported, kClosed: the reason why there is no connection, or why the hub refuses this
   /// sensor.
@@ -62,6 +68,9 @@ class Publisher {
 
   /// A buffer with space for the header; append the payload to its `appendable()`.
   [[nodiscard]] static net::MessageBuffer begin_frame();
+
+  /// Whether the wire's limit allows a frame of this size.
+  [[nodiscard]] static bool fits(const net::MessageBuffer& message);
 
   /// The number and time of a published frame, for logs and tests.
   struct Published {
@@ -89,8 +98,10 @@ class Publisher {
   /// Converts to room time; nothing while room time is not known.
   [[nodiscard]] std::optional<RoomTime> room_time(HostTime time) const;
 
-  /// The reason why the connection ended for good, once it has.
+  /// The reason why the connection ended for good, once it has. Thread-safe, as are the next two.
   [[nodiscard]] std::optional<Error> failure() const;
+  /// The reason why there is no connection at the moment; nothing while there is one.
+  [[nodiscard]] std::optional<Error> problem() const;
   [[nodiscard]] PublisherStats stats() const;
 
  private:

@@ -156,6 +156,8 @@ Subscriber::~Subscriber() = default;
 Result<std::unique_ptr<Subscriber>> Subscriber::open(SubscriberOptions options) {
   auto hubs = net::parse_hub_urls(options.hub_url);
   if (!hubs) return hubs.error();
+  if (auto status = check_join(options.room, "viewer", options.name, options.credential); !status)
+    return status.error();
   auto link = std::make_unique<Link>(std::move(*hubs), std::move(options));
   if (auto status = link->wait_for_welcome(); !status) return status.error();
   return std::unique_ptr<Subscriber>(new Subscriber(std::move(link)));

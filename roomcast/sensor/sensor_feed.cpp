@@ -7,13 +7,12 @@
 #include <utility>
 
 #include "roomcast/client/publisher.h"
-#include "roomcast/codec/frame_codec.h"
-#include "roomcast/geometry/hole_registration.h"
 #include "roomcast/sensor/bundle_monitor.h"
 #include "roomcast/sensor/frame_log.h"
 #include "roomcast/sensor/interference_filter.h"
 #include "roomcast/sensor/plane_completion.h"
 #include "roomcast/sensor/preview.h"
+#include "roomcast/sensor/sender/frame_sender.h"
 #include "roomcast/sensor/sighting_detector.h"
 #include "roomcast/wire/limits.h"
 
@@ -38,44 +37,23 @@ client::PublisherOptions publisher_options(const source::SensorDescription& sens
   return options;
 }
 
-codec::FrameEncoderOptions encoder_options(const source::SensorDescription& sensor,
-                                           const SensorFeedOptions& feed) {
-  codec::FrameEncoderOptions options;
-  options.width = sensor.calibration.depth.width;
-  options.height = sensor.calibration.depth.height;
-  options.fps = sensor.fps;
-  options.depth_bound_mm = feed.codec.depth_bound_mm;
-  options.color_scale = feed.codec.color_scale;
-  options.color_kbit_per_s = feed.codec.color_kbit();
-  options.temporal_layers = feed.codec.layers;
-  options.depth_mode = feed.codec.depth_mode;
-  return options;
-}
-
 }  // namespace
 
 class SensorFeed::Worker {
  public:
-  Worker(std::unique_ptr<source::FrameSource> source, HoleRegistration registration,
-         std::unique_ptr<codec::FrameEncoder> encoder, const SensorFeedOptions& options,
-         std::optional<FrameLog> frame_log)
+  Worker(std::unique_ptr<source::FrameSource> source, std::unique_ptr<FrameSender> sender,
+         const SensorFeedOptions& options, std::optional<FrameLog> frame_log)
       : source_(std::move(source)),
         log_(options.log),
         bundle_(source_->description().name, source_->description().calibration),
-        registration_(std::move(registration)),
-        encoder_(std::move(encoder)),
         interference_(source_->description().fps),
         filters_interference_(options.filter_interference &&
                               options.codec.depth_mode == codec::DepthMode::kLive),
-        full_color_kbit_per_s_(options.codec.color_kbit()),
-        frame_log_(std::move(frame_log)) {
+        frame_log_(std::move(frame_log)),
+        sender_(std::move(sender)) {
     if (!options.preview.empty()) preview_.emplace(options.preview);
     if (options.complete_planes && options.codec.depth_mode == codec::DepthMode::kLive)
       completion_.emplace(source_->description().calibration);
-  }
-
-  void set_publisher(std::unique_ptr<client::Publisher> publisher) {
-    publisher_ = std::move(publisher);
   }
 
   void run(const std::stop_token& stop) {
@@ -93,14 +71,14 @@ class SensorFeed::Worker {
         status = send_captured();
         if (status) show_preview();
       }
-      if (auto failure = publisher_->failure()) status = *failure;
+      if (auto failure = sender_->publisher().failure()) status = *failure;
     }
     std::lock_guard lock(mutex_);
     result_ = std::move(status);
   }
 
   SensorFeedStats stats() const {
-    const client::PublisherStats sent = publisher_->stats();
+    const client::PublisherStats sent = sender_->publisher().stats();
     std::lock_guard lock(mutex_);
     return {sent.frames_sent, sent.frames_skipped, sent.bytes_sent, source_->health(), figures_};
   }
@@ -113,22 +91,22 @@ class SensorFeed::Worker {
   /// Sends a new bundle, a move of the sensor, and sightings.
   void report_place() {
     auto news = bundle_.add(captured_);
-    if (!news) return complain(news.error().message);
+    if (!news) return complain("this sensor cannot be aligned: " + news.error().message);
     if (news->moved) {
-      publisher_->report_moved();
+      sender_->publisher().report_moved();
       if (log_) log_(LogLevel::kInfo, "this sensor was moved");
     }
-    if (news->bundle) publisher_->send_bundle(*std::move(news->bundle));
+    if (news->bundle) sender_->publisher().send_bundle(*std::move(news->bundle));
     if (news->moved || news->bundle) sighting_detector_.stand(bundle_.bundle());
     report_sightings();
   }
 
   void report_sightings() {
-    sighting_detector_.want(publisher_->wanted_sightings());
-    const auto taken = publisher_->room_time(captured_.capture_time);
+    sighting_detector_.want(sender_->publisher().wanted_sightings());
+    const auto taken = sender_->publisher().room_time(captured_.capture_time);
     if (!taken) return;
     if (auto sightings = sighting_detector_.add(captured_, *taken))
-      publisher_->send_sightings(*std::move(sightings));
+      sender_->publisher().send_sightings(*std::move(sightings));
   }
 
   /// Measures how much other sensors disturb this one, and removes what can be removed.
@@ -144,7 +122,7 @@ class SensorFeed::Worker {
     wire::pb::SensorHealth health;
     health.set_flickering(static_cast<float>(figures.flickering));
     health.set_noise_ratio(std::min(static_cast<float>(figures.noise_ratio), wire::kMaxNoiseRatio));
-    publisher_->report_health(health);
+    sender_->publisher().report_health(health);
     std::lock_guard lock(mutex_);
     figures_ = figures;
   }
@@ -153,21 +131,19 @@ class SensorFeed::Worker {
   void complain(const std::string& reason) {
     if (reason == complaint_) return;
     complaint_ = reason;
-    if (log_) log_(LogLevel::kWarning, "this sensor cannot be aligned: " + reason);
+    if (log_) log_(LogLevel::kWarning, reason);
   }
 
   Status send_captured() {
-    const auto turn = publisher_->next_turn();
-    if (!turn) return {};
-    follow_network(turn->rate_share);
-    if (auto status = register_color(); !status) return status;
-    auto message = client::Publisher::begin_frame();
-    const auto info = encoder_->encode(captured_.depth_mm, registered_.color, known_colors(),
-                                       turn->want_key, message.appendable());
-    if (!info) return info.error();
-    const auto sent = publisher_->publish(*turn, *info, captured_.capture_time, std::move(message));
-    if (sent && frame_log_) {
-      const auto logged = frame_log_->add(sent->seq, sent->capture_time, encoder_->decoded_depth());
+    const auto sent = sender_->send(captured_.depth_mm, captured_.color, captured_.capture_time);
+    if (!sent && sent.error().code == ErrorCode::kTooLarge) {
+      complain(sent.error().message);
+      return {};
+    }
+    if (!sent) return sent.error();
+    if (*sent && frame_log_) {
+      const auto logged =
+          frame_log_->add((*sent)->seq, (*sent)->capture_time, sender_->decoded_depth());
       if (!logged) end_frame_log(logged.error());
     }
     return {};
@@ -183,30 +159,11 @@ class SensorFeed::Worker {
   /// sent.
   void show_preview() {
     if (!preview_) return;
-    const Status shown = preview_->show(captured_.depth_mm, registered_.color, SteadyClock().now());
+    const Status shown =
+        preview_->show(captured_.depth_mm, sender_->registered().color, SteadyClock().now());
     if (shown || preview_failed_) return;
     preview_failed_ = true;
     if (log_) log_(LogLevel::kWarning, "no preview: " + shown.error().message);
-  }
-
-  void follow_network(double rate_share) {
-    if (rate_share == rate_share_) return;
-    rate_share_ = rate_share;
-    encoder_->set_color_rate(static_cast<int>(full_color_kbit_per_s_ * rate_share));
-  }
-
-  /// The pixels of the registered colour that are new.
-  MaskView known_colors() const {
-    return registered_.color.empty() ? MaskView{} : registration_.fresh();
-  }
-
-  Status register_color() {
-    if (!captured_.color.empty())
-      return registration_.run(captured_.depth_mm, captured_.color, registered_);
-    registered_
-        .color = {};  // resized to nothing, it would keep its memory, and look like a picture
-    registered_.seen.resize(0, 0);
-    return {};
   }
 
   std::unique_ptr<source::FrameSource> source_;
@@ -214,20 +171,15 @@ class SensorFeed::Worker {
   BundleMonitor bundle_;
   SightingDetector sighting_detector_;
   std::string complaint_;  // the last reason that was logged
-  HoleRegistration registration_;
-  std::unique_ptr<codec::FrameEncoder> encoder_;
   InterferenceFilter interference_;
   const bool filters_interference_;
   HostTime next_health_{};
   std::optional<PlaneCompletion> completion_;
-  const int full_color_kbit_per_s_;
-  double rate_share_ = 1;  // the share that the encoder was set to
   std::optional<FrameLog> frame_log_;
   std::optional<Preview> preview_;
   bool preview_failed_ = false;
-  std::unique_ptr<client::Publisher> publisher_;
+  std::unique_ptr<FrameSender> sender_;
   source::CapturedFrame captured_;  // reused for every frame
-  RegisteredColor registered_;      // likewise
 
   mutable std::mutex mutex_;
   std::optional<Status> result_;
@@ -246,22 +198,16 @@ SensorFeed::~SensorFeed() {
 Result<std::unique_ptr<SensorFeed>> SensorFeed::start(std::unique_ptr<source::FrameSource> source,
                                                       SensorFeedOptions options) {
   const source::SensorDescription sensor = source->description();
-  auto registration =
-      HoleRegistration::create(sensor.calibration, {.color_scale = options.codec.color_scale});
-  if (!registration) return registration.error();
-  auto encoder = codec::FrameEncoder::create(encoder_options(sensor, options));
-  if (!encoder) return encoder.error();
   std::optional<FrameLog> frame_log;
   if (options.frame_log) {
     auto opened = FrameLog::open(*options.frame_log);
     if (!opened) return opened.error();
     frame_log = std::move(*opened);
   }
-  auto worker = std::make_unique<Worker>(std::move(source), std::move(*registration),
-                                         std::move(*encoder), options, std::move(frame_log));
-  auto publisher = client::Publisher::open(publisher_options(sensor, options));
-  if (!publisher) return publisher.error();
-  worker->set_publisher(std::move(*publisher));
+  auto sender = FrameSender::open(publisher_options(sensor, options), options.codec);
+  if (!sender) return sender.error();
+  auto worker = std::make_unique<Worker>(std::move(source), std::move(*sender), options,
+                                         std::move(frame_log));
   return std::unique_ptr<SensorFeed>(new SensorFeed(std::move(worker)));
 }
 

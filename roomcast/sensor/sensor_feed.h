@@ -15,8 +15,8 @@
 #include "roomcast/client/credential.h"
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
-#include "roomcast/sensor/codec_choice.h"
 #include "roomcast/sensor/interference_meter.h"
+#include "roomcast/sensor/sender/codec_choice.h"
 #include "roomcast/source/frame_source.h"
 
 namespace roomcast::sensor {

@@ -59,6 +59,22 @@ test('c_example_writes_the_points_of_the_room', { skip }, async (t) => {
   assert.equal(bytes.length - header, 16 * Number(count));
 });
 
+test('c_example_is_a_sensor_whose_depth_arrives_unchanged', { skip }, async (t) => {
+  const hub = await startHub(t);
+  const sensor = runExample(join(build, 'bin/roomcast_example_sensor'), hub.url, 'my-camera', '4');
+  const other = await RoomClient.join(t, hub.url);
+  await other.until('the sensor', () => other.sensor('my-camera'));
+  const seen = await runExample('python3', join(examples, 'depth.py'), hub.url, library);
+  assert.match(seen.stdout, new RegExp(`^my-camera: 320x240, ${240 * (320 - 40)} readings, median 2\\.00 m$`, 'm'), seen.stderr);
+  const { code, stdout, stderr } = await sensor;
+  assert.equal(code, 0, stderr);
+  assert.ok(Number(/^(\d+) frames sent, \d+ skipped/.exec(stdout)?.[1]) > 30, stdout);
+});
+
+test('c_example_of_a_sensor_is_short_enough_to_read', () => {
+  assert.ok(readFileSync(join(examples, 'sensor.c'), 'utf8').trimEnd().split('\n').length < 40);
+});
+
 test('cpp_example_records_the_room', { skip }, async (t) => {
   const hub = await startRoom(t);
   const file = join(scratchFolder(t), 'room.mcap');
@@ -81,7 +97,10 @@ test('python_example_reads_depth_and_is_seen_by_others', { skip }, async (t) => 
 });
 
 test('an_example_without_a_hub_says_so', { skip }, async () => {
-  const { code, stderr } = await runExample('python3', join(examples, 'depth.py'), 'ws://127.0.0.1:1', library);
-  assert.equal(code, 1);
-  assert.match(stderr, /127\.0\.0\.1/);
+  for (const program of [['python3', join(examples, 'depth.py')], [join(build, 'bin/roomcast_example_sensor')]]) {
+    const after = program[0] === 'python3' ? [library] : ['my-camera'];
+    const { code, stderr } = await runExample(...program, 'ws://127.0.0.1:1', ...after);
+    assert.equal(code, 1);
+    assert.match(stderr, /127\.0\.0\.1/);
+  }
 });

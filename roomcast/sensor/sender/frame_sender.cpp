@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/sensor/sender/frame_sender.h"
+
+#include <string>
+#include <utility>
+
+namespace roomcast::sensor {
+namespace {
+
+codec::FrameEncoderOptions encoder_options(const client::PublisherOptions& sensor,
+                                           const CodecChoice& codec) {
+  codec::FrameEncoderOptions options;
+  options.width = sensor.calibration.depth.width;
+  options.height = sensor.calibration.depth.height;
+  options.fps = sensor.fps;
+  options.depth_bound_mm = codec.depth_bound_mm;
+  options.color_scale = codec.color_scale;
+  options.color_kbit_per_s = codec.color_kbit();
+  options.temporal_layers = codec.layers;
+  options.depth_mode = codec.depth_mode;
+  return options;
+}
+
+}  // namespace
+
+FrameSender::FrameSender(HoleRegistration registration,
+                         std::unique_ptr<codec::FrameEncoder> encoder, int color_kbit_per_s)
+    : registration_(std::move(registration)),
+      encoder_(std::move(encoder)),
+      full_color_kbit_per_s_(color_kbit_per_s) {}
+
+Result<std::unique_ptr<FrameSender>> FrameSender::open(client::PublisherOptions options,
+                                                       const CodecChoice& codec) {
+  const codec::FrameEncoderOptions encoding = encoder_options(options, codec);
+  if (auto status = encoding.check(); !status) return status.error();  // before memory is taken
+  auto registration =
+      HoleRegistration::create(options.calibration, {.color_scale = codec.color_scale});
+  if (!registration) return registration.error();
+  auto encoder = codec::FrameEncoder::create(encoding);
+  if (!encoder) return encoder.error();
+  std::unique_ptr<FrameSender> sender(
+      new FrameSender(std::move(*registration), std::move(*encoder), codec.color_kbit()));
+  auto publisher = client::Publisher::open(std::move(options));
+  if (!publisher) return publisher.error();
+  sender->publisher_ = std::move(*publisher);
+  return sender;
+}
+
+Result<std::optional<client::Publisher::Published>> FrameSender::send(DepthView depth_mm,
+                                                                      ColorView color,
+                                                                      HostTime capture_time) {
+  using Sent = std::optional<client::Publisher::Published>;
+  const auto turn = publisher_->next_turn();
+  if (!turn) return Sent();
+  follow_network(turn->rate_share);
+  if (auto status = register_color(depth_mm, color); !status) return status.error();
+  auto message = client::Publisher::begin_frame();
+  const auto info = encoder_->encode(depth_mm, registered_.color, known_colors(), turn->want_key,
+                                     message.appendable());
+  if (!info) return info.error();
+  const std::size_t bytes = message.payload().size();
+  const bool fits = client::Publisher::fits(message);
+  const Sent sent = publisher_->publish(*turn, *info, capture_time, std::move(message));
+  if (fits) return sent;
+  return Error{ErrorCode::kTooLarge,
+               "this frame has " + std::to_string(bytes) +
+                   " bytes when encoded, more than a hub takes: send depth less exactly, or "
+                   "smaller pictures"};
+}
+
+void FrameSender::follow_network(double rate_share) {
+  if (rate_share == rate_share_) return;
+  rate_share_ = rate_share;
+  encoder_->set_color_rate(static_cast<int>(full_color_kbit_per_s_ * rate_share));
+}
+
+/// The pixels of the registered colour that are new.
+MaskView FrameSender::known_colors() const {
+  return registered_.color.empty() ? MaskView{} : registration_.fresh();
+}
+
+Status FrameSender::register_color(DepthView depth_mm, ColorView color) {
+  if (color.pixel_count() > 0) return registration_.run(depth_mm, color, registered_);
+  registered_.color = {};  // resized to nothing, it would keep its memory, and look like a picture
+  registered_.seen.resize(0, 0);
+  return {};
+}
+
+}  // namespace roomcast::sensor

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// FrameSender: sends a sensor's frames to its hub: registers colour, encodes, publishes (the last
+// three steps of the paper's Algorithm 1). A frame for which the network has no room is skipped
+// before it is registered and encoded. Threading: one thread calls all methods.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "roomcast/client/publisher.h"
+#include "roomcast/codec/frame_codec.h"
+#include "roomcast/core/clock.h"
+#include "roomcast/core/image.h"
+#include "roomcast/core/result.h"
+#include "roomcast/geometry/hole_registration.h"
+#include "roomcast/sensor/sender/codec_choice.h"
+
+namespace roomcast::sensor {
+
+class FrameSender {
+ public:
+  /// Joins the hub. Errors: those of HoleRegistration::create, of the encoder's options, and of
+  /// Publisher::open.
+  static Result<std::unique_ptr<FrameSender>> open(client::PublisherOptions options,
+                                                   const CodecChoice& codec);
+
+  /// Sends a frame whose sizes are those of the calibration; `color` may be empty: none in this
+  /// frame. Nothing: the frame was skipped (no connection, room time not known yet, or earlier
+  /// frames are unsent). kInvalidArgument: a size is wrong. kTooLarge: the encoded frame exceeds
+  /// the wire's limit; later frames may be sent.
+  Result<std::optional<client::Publisher::Published>> send(DepthView depth_mm, ColorView color,
+                                                           HostTime capture_time);
+
+  [[nodiscard]] client::Publisher& publisher() { return *publisher_; }
+  [[nodiscard]] const client::Publisher& publisher() const { return *publisher_; }
+  /// Of the newest frame that was not skipped. Without colour in that frame, the picture is empty.
+  [[nodiscard]] const RegisteredColor& registered() const { return registered_; }
+  /// As FrameEncoder::decoded_depth.
+  [[nodiscard]] DepthView decoded_depth() const { return encoder_->decoded_depth(); }
+  /// Share of the full colour rate that the network carried at the last frame, 0 to 1.
+  [[nodiscard]] double rate_share() const { return rate_share_; }
+
+ private:
+  FrameSender(HoleRegistration registration, std::unique_ptr<codec::FrameEncoder> encoder,
+              int color_kbit_per_s);
+  void follow_network(double rate_share);
+  [[nodiscard]] Status register_color(DepthView depth_mm, ColorView color);
+  [[nodiscard]] MaskView known_colors() const;
+
+  HoleRegistration registration_;
+  std::unique_ptr<codec::FrameEncoder> encoder_;
+  const int full_color_kbit_per_s_;
+  double rate_share_ = 1;  // the share that the encoder was set to
+  RegisteredColor registered_;
+  std::unique_ptr<client::Publisher> publisher_;  // last: destroyed before what it sends
+};
+
+}  // namespace roomcast::sensor

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/sensor/sender/frame_sender.h"
+
+#include <chrono>
+#include <optional>
+#include <random>
+#include <thread>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "roomcast/client/hub_fixture.h"
+#include "roomcast/client/network_thread.h"
+
+namespace roomcast::sensor {
+namespace {
+
+using namespace std::chrono_literals;
+
+client::PublisherOptions sensor_of(const std::string& hub_url, int width, int height) {
+  client::PublisherOptions options;
+  options.hub_url = hub_url;
+  options.name = "left";
+  options.calibration.depth = {
+      .width = width, .height = height, .fx = 60, .fy = 60, .cx = 0.5 * width, .cy = 0.5 * height};
+  options.calibration.color = options.calibration.depth;
+  options.calibration.color_is_registered = true;
+  return options;
+}
+
+class FrameSenderTest : public testing::Test {
+ protected:
+  FrameSenderTest() { network.start(); }
+  ~FrameSenderTest() override {
+    network.finish([this] { hub.reset(); });
+  }
+
+  std::unique_ptr<FrameSender> open(int width, int height) {
+    auto sender = FrameSender::open(sensor_of(hub->url(), width, height),
+                                    {.depth_mode = codec::DepthMode::kLossless});
+    EXPECT_TRUE(sender.ok()) << sender.error().message;
+    return std::move(*sender);
+  }
+
+  /// Sends until the frame is not skipped.
+  static Result<std::optional<client::Publisher::Published>> send(FrameSender& sender,
+                                                                  DepthView depth,
+                                                                  ColorView color = {}) {
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    for (;;) {
+      auto sent = sender.send(depth, color, SteadyClock().now());
+      if (!sent || *sent || std::chrono::steady_clock::now() > give_up) return sent;
+      std::this_thread::sleep_for(1ms);
+    }
+  }
+
+  client::NetworkThread network;
+  std::optional<client::FakeHub> hub{std::in_place, network.io()};
+};
+
+TEST_F(FrameSenderTest, a_frame_is_registered_encoded_and_published) {
+  const auto sender = open(64, 48);
+  const auto sent = send(*sender, DepthImage(64, 48, 1500), ColorImage(64, 48, Rgb8{9, 8, 7}));
+  ASSERT_TRUE(sent.ok()) << sent.error().message;
+  ASSERT_TRUE(sent->has_value());
+  EXPECT_EQ(sender->registered().color.at(10, 10), (Rgb8{9, 8, 7}));
+  EXPECT_EQ(sender->registered().seen.at(10, 10), 255);
+}
+
+TEST_F(FrameSenderTest, a_frame_without_colour_does_not_repeat_the_last_colour) {
+  const auto sender = open(64, 48);
+  ASSERT_TRUE(send(*sender, DepthImage(64, 48, 1500), ColorImage(64, 48)).ok());
+  ASSERT_TRUE(send(*sender, DepthImage(64, 48, 1500)).ok());
+  EXPECT_TRUE(sender->registered().color.empty());
+}
+
+TEST_F(FrameSenderTest, pictures_of_another_size_are_refused) {
+  const auto sender = open(64, 48);
+  EXPECT_FALSE(send(*sender, DepthImage(48, 64, 1500)).ok());
+  EXPECT_FALSE(send(*sender, DepthImage(64, 48, 1500), ColorImage(48, 64)).ok());
+}
+
+TEST_F(FrameSenderTest, a_frame_above_the_limit_of_the_wire_is_reported_and_the_next_one_is_sent) {
+  const auto sender = open(1280, 1024);
+  std::mt19937 random(1);
+  DepthImage noise(1280, 1024);
+  for (int y = 0; y < noise.height(); ++y) {
+    for (int x = 0; x < noise.width(); ++x) noise.at(x, y) = static_cast<std::uint16_t>(random());
+  }
+  const auto refused = send(*sender, noise);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::kTooLarge);
+  const auto sent = send(*sender, DepthImage(1280, 1024, 1500));
+  EXPECT_TRUE(sent.ok() && *sent);
+}
+
+TEST_F(FrameSenderTest, a_calibration_that_is_none_is_refused_before_the_hub_is_asked) {
+  auto options = sensor_of("ws://127.0.0.1:1", 64, 48);
+  options.calibration.depth.fx = 0;
+  const auto refused = FrameSender::open(options, {});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
+}
+
+}  // namespace
+}  // namespace roomcast::sensor
