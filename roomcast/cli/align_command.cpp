@@ -88,12 +88,10 @@ Status run_align(const AlignOptions& options) {
   if (Status status = check_recording(options); !status) return status;
   StatusLine line;
   const auto show = [&line](const std::string& what) { line.show(what); };
-  // A rig.json holds poses only, so that poses written there must hold for readings as they are.
-  const auto scaling =
-      options.write ? alignment::DepthScaling::kAsCalibrated : alignment::DepthScaling::kEstimated;
-  const auto report = options.pairs.empty() ? align_recording(options.recording, options.method,
-                                                              options.stages, show, scaling)
-                                            : align_pairs(options, line);
+  const auto report = options.pairs.empty()
+                          ? align_recording(options.recording, options.method, options.stages, show,
+                                            alignment::DepthScaling::kEstimated)
+                          : align_pairs(options, line);
   if (!report) return report.error();
   if (options.write) {
     if (Status written = write_rig_poses(options.recording, *report); !written) return written;
@@ -118,8 +116,8 @@ void add_align_command(CLI::App& app, Command& chosen) {
       "Align these pairs of frames of a TUM recording instead (alignment_pairs.json)");
   command
       ->add_flag("--write", options->write,
-                 "Write the poses into the rig's rig.json; null for refused sensors. They hold for "
-                 "readings as they are: no depth scale is estimated")
+                 "Write the poses and depth scales into the rig's rig.json; a refused sensor gets "
+                 "no pose and keeps its depth scale")
       ->excludes("--pairs");
   CLI::Option* json = command->add_flag("--json", options->json, "Print JSON");
   command

@@ -49,6 +49,31 @@ TEST(RigPoses, replace_those_in_the_file_and_nothing_else) {
   EXPECT_EQ(rig->fps, 15);
 }
 
+TEST(RigPoses, come_with_depth_scales_that_multiply_those_in_the_file) {
+  const TemporaryFolder folder;
+  write_rig(folder.path());
+  alignment::AlignmentReport report = first_placed();
+  report.sensors[0].depth_scale = 1.02;
+  report.sensors[1].depth_scale = 1.1;  // it was not placed, so nothing holds for it
+  ASSERT_TRUE(write_rig_poses(folder.path(), report).ok());
+  ASSERT_TRUE(write_rig_poses(folder.path(), report).ok());
+  const auto rig = recording::read_rig_json(folder / "rig.json");
+  ASSERT_TRUE(rig.ok());
+  EXPECT_DOUBLE_EQ(rig->sensors[0].depth_scale, 1.02 * 1.02);
+  EXPECT_EQ(rig->sensors[1].depth_scale, 1);
+}
+
+TEST(RigPoses, stay_when_a_depth_scale_would_leave_its_range) {
+  const TemporaryFolder folder;
+  write_rig(folder.path());
+  alignment::AlignmentReport report = first_placed();
+  report.sensors[0].depth_scale = 3;
+  const Status status = write_rig_poses(folder.path(), report);
+  ASSERT_FALSE(status.ok());
+  EXPECT_THAT(status.error().message, testing::HasSubstr("the depth scale of s0"));
+  EXPECT_EQ(recording::read_rig_json(folder / "rig.json")->sensors[0].depth_scale, 1);
+}
+
 TEST(RigPoses, stay_when_no_sensor_was_placed) {
   const TemporaryFolder folder;
   write_rig(folder.path());

@@ -87,6 +87,7 @@ Result<SensorView> with_depth_scale(const SensorView& view, double factor) {
                  "the readings of sensor " + view.name + " are no longer known"};
   }
   CalibrationBundle bundle = *view.bundle;
+  bundle.name = view.name;  // a view may have been given another name than its bundle's
   multiply(bundle.depth_mm, factor);
   for (DepthInstant& instant : bundle.instants) multiply(instant.depth_mm, factor);
   return make_sensor_view(bundle, view.options);

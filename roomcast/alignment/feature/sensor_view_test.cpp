@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/alignment/feature/views_fixture.h"
+#include "roomcast/alignment/feature/walk_views_fixture.h"
 
 namespace roomcast::alignment {
 namespace {
@@ -38,6 +39,14 @@ TEST(SensorView, of_readings_without_any_surface_says_what_to_do) {
     }
   }
   EXPECT_THAT(make_sensor_view(bundle).error().message, testing::HasSubstr("turn it towards"));
+}
+
+TEST(SensorView, with_a_depth_scale_keeps_the_name_that_it_was_given) {
+  SensorView view = *walk_view({}, "s7", corner_pose(2, 1.5));
+  view.name = "desk";
+  const auto scaled = with_depth_scale(view, 1.04);
+  ASSERT_TRUE(scaled);
+  EXPECT_EQ(scaled->name, "desk");
 }
 
 }  // namespace

@@ -182,6 +182,7 @@ Result<Recording> read_rig_recording(const fs::path& directory, const std::strin
       read_recording(folder, sensor->id, rig->fps, *depth_files, seconds(sensor->clock_offset_s));
   if (!recording.ok()) return recording.error();
   recording->description.world_from_depth = sensor->world_from_depth;
+  recording->camera.depth_scale_to_metre *= sensor->depth_scale;
   recording->start = span->start;
   recording->loop_duration = span->loop_duration;
   return recording;

@@ -26,7 +26,7 @@ struct RecordedFrame {
 
 struct Recording {
   source::SensorDescription description;
-  io::RecordedCamera camera;
+  io::RecordedCamera camera;          // of a rig: with the depth scale that rig.json gives
   std::vector<RecordedFrame> frames;  // at least one, in order of time
   nanoseconds start{};                // true time at which playback begins
   nanoseconds loop_duration{};        // playback restarts after this; longer than the frames last

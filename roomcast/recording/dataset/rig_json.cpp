@@ -31,6 +31,9 @@ RigSensorEntry read_sensor(const io::JsonFields& fields) {
   sensor.clock_offset_s = limited(fields, "clock_offset_s", kLargestClockOffset_s);
   sensor.rate_ppm = limited(fields, "rate_ppm", kLargestRate_ppm);
   sensor.drop = fields.counts("drop", kLargestFrameNumber);
+  sensor.depth_scale = fields.number("depth_scale", 1);
+  if (!(sensor.depth_scale >= kMinDepthScale && sensor.depth_scale <= kMaxDepthScale))
+    fields.reject("depth_scale", "must be 0.5 to 2");
   return sensor;
 }
 
@@ -56,6 +59,7 @@ nlohmann::json sensor_as_json(const RigSensorEntry& sensor) {
   if (sensor.world_from_depth) {
     json["world_from_depth"] = row_major_from_transform(*sensor.world_from_depth);
   }
+  if (sensor.depth_scale != 1) json["depth_scale"] = sensor.depth_scale;
   return json;
 }
 

@@ -3,7 +3,7 @@
 //
 //   {"version": 1, "fps": 30,
 //    "sensors": [{"id": "s0", "path": "s0", "world_from_depth": [16 numbers, row-major] or null,
-//                 "clock_offset_s": 0, "rate_ppm": 0, "drop": [23]}, ...]}
+//                 "clock_offset_s": 0, "rate_ppm": 0, "drop": [23], "depth_scale": 1}, ...]}
 //
 // Each sensor's folder `path` (inside the rig's) contains camera.json, depth.txt, rgb.txt,
 // depth/*.png and rgb/*.jpg, the lists in the layout of the TUM RGB-D benchmark: a timestamp in
@@ -11,6 +11,7 @@
 //   clock_offset_s  a sensor's timestamps minus true time
 //   rate_ppm        how much faster than `fps` its frames come; its timestamps include that
 //   drop            numbers of lost frames; these have no files and no lines
+//   depth_scale     true depth divided by what camera.json makes of the depth pictures
 // Metres, seconds. Thread-safe (no state).
 #pragma once
 
@@ -28,6 +29,8 @@ namespace roomcast::recording {
 inline constexpr std::size_t kMaxRigSensors = 32;
 inline constexpr std::size_t kMaxSensorNameBytes = 64;
 inline constexpr double kMaxFps = 240;
+inline constexpr double kMinDepthScale = 0.5;
+inline constexpr double kMaxDepthScale = 2;
 
 struct RigSensorEntry {
   std::string id;
@@ -36,6 +39,7 @@ struct RigSensorEntry {
   double clock_offset_s = 0;
   double rate_ppm = 0;
   std::vector<std::uint64_t> drop;
+  double depth_scale = 1;
 };
 
 struct RigDescription {

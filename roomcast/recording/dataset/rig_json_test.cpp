@@ -16,7 +16,7 @@ using nlohmann::json;
 RigDescription two_sensors() {
   RigDescription rig{25, "a test", {}};
   rig.sensors.push_back({"s0", "s0", RigidTransform{}, 0, 8, {23}});
-  rig.sensors.push_back({"kitchen", "two/k", std::nullopt, -1.5, 0, {}});
+  rig.sensors.push_back({"kitchen", "two/k", std::nullopt, -1.5, 0, {}, 0.98});
   rig.sensors[0].world_from_depth->translation_m = {1, 2, 3};
   return rig;
 }
@@ -40,6 +40,8 @@ TEST(RigJson, reads_back_its_own_output) {
   EXPECT_EQ(rig->sensors[1].path, "two/k");
   EXPECT_FALSE(rig->sensors[1].world_from_depth);
   EXPECT_EQ(rig->sensors[1].clock_offset_s, -1.5);
+  EXPECT_EQ(rig->sensors[0].depth_scale, 1);
+  EXPECT_EQ(rig->sensors[1].depth_scale, 0.98);
 }
 
 TEST(RigJson, names_the_field_that_is_wrong) {
@@ -66,6 +68,9 @@ TEST(RigJson, names_the_field_that_is_wrong) {
       {[](json& r) { r["sensors"][0]["rate_ppm"] = "x"; }, "rate_ppm"},
       {[](json& r) { r["sensors"][0]["drop"] = {-1}; }, "drop"},
       {[](json& r) { r["sensors"][0]["drop"] = {1.5}; }, "drop"},
+      {[](json& r) { r["sensors"][0]["depth_scale"] = 0; }, "sensors[0].depth_scale"},
+      {[](json& r) { r["sensors"][0]["depth_scale"] = 2.1; }, "sensors[0].depth_scale"},
+      {[](json& r) { r["sensors"][0]["depth_scale"] = "1"; }, "sensors[0].depth_scale"},
   };
   for (const auto& [change, part] : cases) {
     json changed = json::parse(rig_json_text(two_sensors()));

@@ -7,6 +7,7 @@
 
 #include "roomcast/recording/dataset/recording.h"
 #include "roomcast/recording/dataset/recording_fixture.h"
+#include "roomcast/recording/dataset/rig_json.h"
 
 namespace roomcast::recording {
 namespace {
@@ -42,6 +43,21 @@ TEST(RigSource, gives_the_written_frames) {
     EXPECT_EQ(frame.device_time, nanoseconds(100'000'000'000 + 20'000'000 * int(i)));
   }
   EXPECT_FALSE(*source->next(frame, {}));
+}
+
+TEST(RigSource, multiplies_depth_by_the_scale_of_the_rig) {
+  const TemporaryFolder folder;
+  const auto rig = write_small_rig(folder);
+  auto description = read_rig_json(rig / "rig.json");
+  ASSERT_TRUE(description.ok());
+  description->sensors[0].depth_scale = 1.5;
+  put_text(rig / "rig.json", rig_json_text(*description));
+  const auto source = open_rig(rig, "s0", kFastOnce);
+  ASSERT_TRUE(source);
+  source::CapturedFrame frame;
+  ASSERT_TRUE(*source->next(frame, {}));
+  EXPECT_EQ(frame.depth_mm.at(0, 0), 1500);
+  EXPECT_EQ(frame.depth_mm.at(20, 12), 1548);
 }
 
 TEST(RigSource, loops_with_the_same_frames_later) {
