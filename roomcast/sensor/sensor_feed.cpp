@@ -91,7 +91,7 @@ class SensorFeed::Worker {
   /// Sends a new bundle, a move of the sensor, and sightings.
   void report_place() {
     auto news = bundle_.add(captured_);
-    if (!news) return complain("this sensor cannot be aligned: " + news.error().message);
+    if (!news) return complain(news.error().message);
     if (news->moved) {
       sender_->publisher().report_moved();
       if (log_) log_(LogLevel::kInfo, "this sensor was moved");
@@ -131,13 +131,15 @@ class SensorFeed::Worker {
   void complain(const std::string& reason) {
     if (reason == complaint_) return;
     complaint_ = reason;
-    if (log_) log_(LogLevel::kWarning, reason);
+    if (log_) log_(LogLevel::kWarning, "this sensor cannot be aligned: " + reason);
   }
 
   Status send_captured() {
     const auto sent = sender_->send(captured_.depth_mm, captured_.color, captured_.capture_time);
-    if (!sent && sent.error().code == ErrorCode::kTooLarge) {
-      complain(sent.error().message);
+    const bool too_large = !sent && sent.error().code == ErrorCode::kTooLarge;
+    const bool was_too_large = std::exchange(too_large_, too_large);
+    if (too_large) {  // its sentence has the number of bytes, which differs in every frame
+      if (!was_too_large && log_) log_(LogLevel::kWarning, sent.error().message);
       return {};
     }
     if (!sent) return sent.error();
@@ -170,7 +172,8 @@ class SensorFeed::Worker {
   const LogSink log_;
   BundleMonitor bundle_;
   SightingDetector sighting_detector_;
-  std::string complaint_;  // the last reason that was logged
+  std::string complaint_;   // the last reason that was logged
+  bool too_large_ = false;  // the last frame was
   InterferenceFilter interference_;
   const bool filters_interference_;
   HostTime next_health_{};
