@@ -26,8 +26,8 @@ struct Credential {
 /// file with a token.
 [[nodiscard]] Result<Credential> read_credential_file(const std::string& file);
 
-/// What a client says when it joins must be text that a hub can read: kMalformed or kTooLarge with
-/// the field. `role`: of the client, for the sentence.
+/// Checks the texts of a Join before it is encoded: Protobuf prints to stderr where a text is not
+/// UTF-8. kMalformed or kTooLarge; the sentence names the field. `role` names the client in it.
 [[nodiscard]] Status check_join(const std::string& room, const std::string& role,
                                 const std::string& name, const Credential& credential);
 

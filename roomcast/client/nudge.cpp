@@ -110,6 +110,8 @@ RigidTransform nudged(const RigidTransform& world_from_depth, const NudgeOptions
 Result<NudgedSensor> nudge_sensor(const NudgeOptions& options) {
   auto hubs = net::parse_hub_urls(options.hub_url);
   if (!hubs) return hubs.error();
+  if (auto status = check_join(options.room, "viewer", {}, options.credential); !status)
+    return status.error();
   return NudgeRequest(*std::move(hubs), options).wait();
 }
 

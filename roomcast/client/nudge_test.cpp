@@ -129,6 +129,11 @@ TEST_F(NudgeTest, an_unknown_sensor_is_named) {
   EXPECT_EQ(nudge_sensor(options).error().code, ErrorCode::kNotFound);
 }
 
+TEST_F(NudgeTest, a_room_that_no_hub_can_read_is_refused_at_once) {
+  options.room = "\xff";
+  EXPECT_EQ(nudge_sensor(options).error().message, "the room's name is not valid UTF-8");
+}
+
 TEST_F(NudgeTest, without_an_aligner_the_wait_ends) {
   show_roster();
   options.patience = 100ms;

@@ -270,6 +270,8 @@ Recorder::~Recorder() = default;
 Result<std::unique_ptr<Recorder>> Recorder::open(RecorderOptions options) {
   auto hubs = net::parse_hub_urls(options.hub_url);
   if (!hubs) return hubs.error();
+  if (auto status = client::check_join(options.room, "recorder", {}, options.credential); !status)
+    return status.error();
   auto link = std::make_unique<Link>(std::move(*hubs), std::move(options));
   if (auto status = link->wait_for_file(); !status) return status.error();
   return std::unique_ptr<Recorder>(new Recorder(std::move(link)));

@@ -197,6 +197,13 @@ TEST_F(RecorderTest, a_refusal_leaves_no_file) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
+TEST_F(RecorderTest, a_token_that_no_hub_can_read_leaves_no_file) {
+  RecorderOptions options;
+  options.credential.token = "\xff";
+  EXPECT_EQ(open(options).error().code, ErrorCode::kMalformed);
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 TEST_F(RecorderTest, goes_on_when_the_hub_comes_back) {
   ASSERT_TRUE(open().ok());
   say_roster();
