@@ -12,9 +12,7 @@ namespace roomcast::cli {
 namespace {
 
 Status check_depth_scale(const recording::RigSensorEntry& entry) {
-  if (entry.depth_scale >= recording::kMinDepthScale &&
-      entry.depth_scale <= recording::kMaxDepthScale)
-    return {};
+  if (recording::is_depth_scale(entry.depth_scale)) return {};
   return Error{ErrorCode::kInvalidArgument,
                fmt::format("the depth scale of {} would become {:.3f}; rig.json is unchanged. "
                            "Check depth_scale_to_metre in its camera.json",

@@ -12,6 +12,8 @@ namespace {
 constexpr int kVersion = 1;
 constexpr double kLargestClockOffset_s = 4e9;  // a device time from 0 against the time of day
 constexpr double kLargestRate_ppm = 1e4;
+constexpr double kMinDepthScale = 0.5;
+constexpr double kMaxDepthScale = 2;
 constexpr std::uint64_t kLargestFrameNumber = 1U << 31U;
 
 double limited(const io::JsonFields& fields, const char* field, double largest) {
@@ -32,8 +34,7 @@ RigSensorEntry read_sensor(const io::JsonFields& fields) {
   sensor.rate_ppm = limited(fields, "rate_ppm", kLargestRate_ppm);
   sensor.drop = fields.counts("drop", kLargestFrameNumber);
   sensor.depth_scale = fields.number("depth_scale", 1);
-  if (!(sensor.depth_scale >= kMinDepthScale && sensor.depth_scale <= kMaxDepthScale))
-    fields.reject("depth_scale", "must be 0.5 to 2");
+  if (!is_depth_scale(sensor.depth_scale)) fields.reject("depth_scale", "must be 0.5 to 2");
   return sensor;
 }
 
@@ -69,6 +70,10 @@ bool is_sensor_name(const std::string& name) {
   const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
   return !name.empty() && name.size() <= kMaxSensorNameBytes &&
          std::none_of(name.begin(), name.end(), control);
+}
+
+bool is_depth_scale(double scale) {
+  return scale >= kMinDepthScale && scale <= kMaxDepthScale;
 }
 
 bool stays_inside(const std::filesystem::path& path) {

@@ -29,8 +29,6 @@ namespace roomcast::recording {
 inline constexpr std::size_t kMaxRigSensors = 32;
 inline constexpr std::size_t kMaxSensorNameBytes = 64;
 inline constexpr double kMaxFps = 240;
-inline constexpr double kMinDepthScale = 0.5;
-inline constexpr double kMaxDepthScale = 2;
 
 struct RigSensorEntry {
   std::string id;
@@ -56,6 +54,9 @@ struct RigDescription {
 
 /// True if a sensor may have this name: 1..64 bytes without control characters.
 [[nodiscard]] bool is_sensor_name(const std::string& name);
+
+/// True if a sensor may have this depth scale: 0.5 to 2.
+[[nodiscard]] bool is_depth_scale(double scale);
 
 /// True if a relative path stays inside the folder that it starts from.
 [[nodiscard]] bool stays_inside(const std::filesystem::path& path);
