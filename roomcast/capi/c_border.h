@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every function of roomcast.h does at the border to C: structures of callers that know fewer
-// fields, sentences into their memory, and no exception beyond it. Threading: no state.
+// The border to C. Functions of roomcast.h use this file to read and write structures of callers
+// built against earlier headers, to write error sentences, and to catch exceptions. Threading: no
+// state.
 #pragma once
 
 #include <algorithm>

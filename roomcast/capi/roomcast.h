@@ -174,7 +174,7 @@ typedef struct roomcast_capture {
   int32_t color_width, color_height;
 } roomcast_capture;
 
-/* What became of a frame, and how the network keeps up. */
+/* The result of roomcast_send_frame(), and the state of the connection. */
 typedef struct roomcast_send_report {
   size_t size;
   int32_t sent;            /* 1: on its way. 0: skipped, because the network does not keep up, or

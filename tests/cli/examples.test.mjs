@@ -97,9 +97,12 @@ test('python_example_reads_depth_and_is_seen_by_others', { skip }, async (t) => 
 });
 
 test('an_example_without_a_hub_says_so', { skip }, async () => {
-  for (const program of [['python3', join(examples, 'depth.py')], [join(build, 'bin/roomcast_example_sensor')]]) {
-    const after = program[0] === 'python3' ? [library] : ['my-camera'];
-    const { code, stderr } = await runExample(...program, 'ws://127.0.0.1:1', ...after);
+  const nobody = 'ws://127.0.0.1:1';
+  for (const program of [
+    ['python3', join(examples, 'depth.py'), nobody, library],
+    [join(build, 'bin/roomcast_example_sensor'), nobody, 'my-camera'],
+  ]) {
+    const { code, stderr } = await runExample(...program);
     assert.equal(code, 1);
     assert.match(stderr, /127\.0\.0\.1/);
   }
