@@ -85,6 +85,8 @@ std::string layout() {
   out << ROOMCAST_FIELD(roomcast_sensor_options, depth_mode);
   out << ROOMCAST_FIELD(roomcast_sensor_options, depth_bound_mm);
   out << ROOMCAST_FIELD(roomcast_sensor_options, color_kbit_per_s);
+  out << ROOMCAST_FIELD(roomcast_sensor_options, reserved);
+  out << ROOMCAST_FIELD(roomcast_sensor_options, send_unwatched);
   out << ROOMCAST_SIZE(roomcast_capture);
   out << ROOMCAST_FIELD(roomcast_capture, size);
   out << ROOMCAST_FIELD(roomcast_capture, capture_ns);

@@ -53,6 +53,7 @@ struct Described {
     sensor.color = &color;
     sensor.world_from_depth = pose.data();
     sensor.depth_mode = ROOMCAST_DEPTH_LOSSLESS;
+    sensor.send_unwatched = 1;
   }
   roomcast_camera depth{sizeof(depth), kDepthWidth, kDepthHeight, 70, 70, 40, 30, 0.01, 0, 0, 0, 0};
   roomcast_camera color{sizeof(color), kColorWidth, kColorHeight, 140, 140, 80, 60, 0, 0, 0, 0, 0};
@@ -105,6 +106,29 @@ bool until(Done done) {
     std::this_thread::sleep_for(5ms);
   }
   return true;
+}
+
+TEST(PublishingSensor, frames_that_nobody_would_watch_are_skipped_and_not_counted) {
+  const hub::RunningHub hub;
+  Described described;
+  described.sensor.send_unwatched = 0;
+  const Publisher publisher = publish(hub.url(), described);
+  const auto depth = noise(1);
+  const auto is_connected = [&] { return send(publisher, capture_of(depth, {})).connected == 1; };
+  ASSERT_TRUE(until(is_connected));
+  roomcast_send_report skipped{};
+  ASSERT_TRUE(until([&] { return (skipped = send(publisher, capture_of(depth, {}))).sent == 0; }));
+  std::this_thread::sleep_for(300ms);  // room time is known by now
+  const auto later = send(publisher, capture_of(depth, {}));
+  EXPECT_EQ(later.sent, 0);
+  EXPECT_EQ(later.frames_skipped, skipped.frames_skipped);
+
+  const std::string url = hub.url();
+  const roomcast_options options = joining(url, "viewer");
+  char error[300] = "";
+  const Viewer viewer(roomcast_connect(&options, error, sizeof(error)));
+  ASSERT_NE(viewer, nullptr) << error;
+  EXPECT_TRUE(until([&] { return send(publisher, capture_of(depth, {})).sent == 1; }));
 }
 
 TEST(PublishingSensor, its_depth_arrives_bit_for_bit_with_colour_pose_and_time) {

@@ -162,6 +162,8 @@ typedef struct roomcast_sensor_options {
   int32_t depth_mode;             /* ROOMCAST_DEPTH_... */
   int32_t depth_bound_mm;         /* near-lossless: 1 to 63; 0: 2 */
   int32_t color_kbit_per_s;       /* 50 to 100000; 0: 790 */
+  int32_t reserved;               /* not read */
+  int32_t send_unwatched;         /* 1: send while nobody watches, too; 0: do not. Since 1.3.0 */
 } roomcast_sensor_options;
 
 /* One frame. Pictures have rows without gaps and the sizes of the sensor's cameras. */
@@ -177,16 +179,16 @@ typedef struct roomcast_capture {
 /* The result of roomcast_send_frame(), and the state of the connection. */
 typedef struct roomcast_send_report {
   size_t size;
-  int32_t sent;            /* 1: on its way. 0: skipped, because the network does not keep up, or
-                              because there is no connection (or no room time yet, just after
-                              connecting) */
-  int32_t connected;       /* 0: the library is reconnecting */
-  uint32_t frames_waiting; /* frames that are not on the network yet */
+  int32_t sent;      /* 1: on its way. 0: skipped, because nobody watches the room, because the
+                        network does not keep up, or because there is no connection (or no
+                        room time yet, just after connecting) */
+  int32_t connected; /* 0: the library is reconnecting */
+  uint32_t frames_waiting;     /* frames that are not on the network yet */
   uint32_t max_frames_waiting; /* with so many waiting, the next one is skipped */
   uint32_t seq;                /* of a frame that was sent: its number, as in roomcast_sensor */
   int64_t capture_ns;          /* and its capture time on the room clock, as in roomcast_sensor */
   uint64_t frames_sent;        /* these three: since roomcast_publish() */
-  uint64_t frames_skipped;
+  uint64_t frames_skipped;     /* without those that nobody would have watched */
   uint64_t bytes_sent;
   double rate_share; /* of the full colour rate, what the network carries: 0 to 1 */
 } roomcast_send_report;
@@ -197,11 +199,11 @@ typedef struct roomcast_send_report {
 ROOMCAST_API roomcast_publisher* roomcast_publish(const roomcast_options* options,
                                                   const roomcast_sensor_options* sensor,
                                                   char* error, size_t error_size);
-/* Encodes and sends one frame, or skips it if earlier frames still wait for the network (so that
- * delay does not grow); it does not wait for the network. Takes as long as encoding takes. `report`
- * may be NULL. 1: sent or skipped; `report` says which. 0: the frame is not as described above, it
- * is larger than a hub takes (2 MiB when encoded), or the connection has ended for good; `error`
- * says why. */
+/* Encodes and sends one frame, or skips it if nobody watches, or if earlier frames still wait for
+ * the network (so that delay does not grow); it does not wait for the network. Takes as long as
+ * encoding takes. `report` may be NULL. 1: sent or skipped; `report` says which. 0: the frame is
+ * not as described above, it is larger than a hub takes (2 MiB when encoded), or the connection has
+ * ended for good; `error` says why. */
 ROOMCAST_API int roomcast_send_frame(roomcast_publisher* publisher, const roomcast_capture* capture,
                                      roomcast_send_report* report, char* error, size_t error_size);
 /* 1: connected. 0: not connected (reconnecting, or ended for good); `error` says why. */

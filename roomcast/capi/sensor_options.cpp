@@ -99,6 +99,7 @@ Result<client::PublisherOptions> publisher_options(const roomcast_options* optio
   auto pose = transform(given.world_from_depth, "sensor->world_from_depth");
   if (!pose) return pose.error();
   out.world_from_depth = *pose;
+  out.send_unwatched = given.send_unwatched != 0;
   out.fps = given.fps == 0 ? kUsualFps : given.fps;
   return out;
 }

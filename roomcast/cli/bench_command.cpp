@@ -128,6 +128,7 @@ void add_bench_command(CLI::App& app, Command& chosen) {
   add_fanout_bench(*bench, chosen);
   add_abuse_bench(*bench, chosen);
   add_latency_bench(*bench, chosen);
+  add_line_bench(*bench, chosen);
   add_real_bench(*bench, chosen);
   add_render_bench(*bench, chosen);
 }

@@ -10,6 +10,7 @@ void add_abuse_bench(CLI::App& bench, Command& chosen);
 void add_align_bench(CLI::App& bench, Command& chosen);
 void add_fanout_bench(CLI::App& bench, Command& chosen);
 void add_latency_bench(CLI::App& bench, Command& chosen);
+void add_line_bench(CLI::App& bench, Command& chosen);
 void add_real_bench(CLI::App& bench, Command& chosen);
 void add_render_bench(CLI::App& bench, Command& chosen);
 

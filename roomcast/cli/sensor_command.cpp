@@ -31,6 +31,7 @@ struct SensorCommandOptions {
   TokenOption token;
   std::string frame_log;
   bool once = false;
+  bool always = false;
   bool json = false;
   bool keep_interference = false;
   bool keep_holes = false;
@@ -53,6 +54,7 @@ nlohmann::ordered_json status_json(const std::string& name, const sensor::Sensor
                                    const sensor::SensorFeedStats& before) {
   nlohmann::ordered_json json = {{"sensor", name},
                                  {"connected", now.source.is_connected},
+                                 {"watched", now.frames_wanted},
                                  {"frames_per_s", now.frames_sent - before.frames_sent},
                                  {"bytes_per_s", now.bytes_sent - before.bytes_sent},
                                  {"frames_sent", now.frames_sent},
@@ -71,6 +73,7 @@ std::string status_text(const std::string& name, const sensor::SensorFeedStats& 
   std::string text = fmt::format(
       "{}: {} frames/s, {:.2f} MB/s, {} frames sent", name, now.frames_sent - before.frames_sent,
       static_cast<double>(now.bytes_sent - before.bytes_sent) / 1e6, now.frames_sent);
+  if (!now.frames_wanted) text += ", nobody watches";
   if (now.source.frames_lost > 0) text += fmt::format(", {} lost", now.source.frames_lost);
   if (now.source.disconnect_count > 0)
     text += fmt::format(", unplugged {} times", now.source.disconnect_count);
@@ -117,6 +120,7 @@ Status run_sensor(SensorCommandOptions options) {
   options.feed.filter_interference = !options.keep_interference;
   options.feed.complete_planes = !options.keep_holes;
   if (!options.frame_log.empty()) options.feed.frame_log = options.frame_log;
+  options.feed.send_unwatched = options.always || options.once;
   options.feed.stop = stop.token();
   auto feed = sensor::SensorFeed::start(std::move(*source), options.feed);
   if (!feed && stop.token().stop_requested()) return {};
@@ -174,7 +178,10 @@ void add_sensor_command(CLI::App& app, Command& chosen) {
   command->add_flag("--json", options->json,
                     "Print a line of JSON each second instead of a status");
   command->add_flag("--once", options->once,
-                    "Stop at the end of a recording instead of starting again");
+                    "Stop at the end of a recording instead of starting again; implies --always");
+  command->add_flag("--always", options->always,
+                    "Send while nobody watches the room, too (default: capture a few frames a "
+                    "second, and send none)");
   command->add_flag("--wait", options->feed.wait_for_hub, "Keep trying while no hub answers");
   command->add_option("--log-frames", options->frame_log,
                       "Write one JSON line per frame sent: seq, capture_ns, depth_crc32");

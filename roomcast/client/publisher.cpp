@@ -70,6 +70,18 @@ class Publisher::Link final : public HubLinkEvents {
     return shared_.down ? *shared_.down : stopped_waiting();
   }
 
+  bool frames_wanted() const {
+    std::lock_guard lock(mutex_);
+    return shared_.frames_wanted;
+  }
+  void wait_until_wanted(std::chrono::milliseconds patience, const std::stop_token& stop) {
+    const StopNotice notice(stop, mutex_, changed_);
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, patience, [&] {
+      return shared_.frames_wanted || shared_.failure || stop.stop_requested();
+    });
+  }
+
   std::optional<Turn> next_turn() {
     std::lock_guard lock(mutex_);
     const bool may_send = shared_.connected && shared_.clock && shared_.unsent < kMaxFramesWaiting;
@@ -152,6 +164,7 @@ class Publisher::Link final : public HubLinkEvents {
     SensorId sensor{};
     bool connected = false;
     bool want_key = false;
+    bool frames_wanted = true;
     wire::pb::SightingRequest wanted_sightings;
     std::optional<ClockEstimate> clock;
     std::size_t unsent = 0;
@@ -200,6 +213,7 @@ void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
     shared_.sensor = SensorId{static_cast<std::uint16_t>(welcome.sensor_id())};
     shared_.connected = true;
     shared_.want_key = true;
+    shared_.frames_wanted = true;
     shared_.wanted_sightings.Clear();
     shared_.clock.reset();
     shared_.unsent = 0;
@@ -212,9 +226,15 @@ void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
 }
 
 void Publisher::Link::on_control(const wire::pb::Control& message) {
-  std::lock_guard lock(mutex_);
-  if (message.has_key_request()) shared_.want_key = true;
-  if (message.has_sighting_request()) shared_.wanted_sightings = message.sighting_request();
+  {
+    std::lock_guard lock(mutex_);
+    if (message.has_key_request()) shared_.want_key = true;
+    if (message.has_sighting_request()) shared_.wanted_sightings = message.sighting_request();
+    if (!message.has_frame_demand() || options_.send_unwatched) return;
+    const bool was_wanted = std::exchange(shared_.frames_wanted, message.frame_demand().wanted());
+    if (shared_.frames_wanted && !was_wanted) shared_.want_key = true;  // its viewers are new
+  }
+  changed_.notify_all();
 }
 
 net::FramedMessagePtr Publisher::Link::next_frame() {
@@ -239,6 +259,7 @@ void Publisher::Link::on_down(const Error& reason, bool final) {
   {
     std::lock_guard lock(mutex_);
     is_news = std::exchange(shared_.connected, false);
+    shared_.frames_wanted = true;
     shared_.down = reason;
     if (final) shared_.failure = reason;
   }
@@ -317,6 +338,13 @@ Result<std::unique_ptr<Publisher>> Publisher::open(PublisherOptions options) {
   auto link = std::make_unique<Link>(std::move(*hubs), std::move(options));
   if (auto status = link->wait_for_welcome(); !status) return status.error();
   return std::unique_ptr<Publisher>(new Publisher(std::move(link)));
+}
+
+bool Publisher::frames_wanted() const {
+  return link_->frames_wanted();
+}
+void Publisher::wait_until_wanted(std::chrono::milliseconds patience, const std::stop_token& stop) {
+  link_->wait_until_wanted(patience, stop);
 }
 
 std::optional<Publisher::Turn> Publisher::next_turn() {

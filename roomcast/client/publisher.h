@@ -5,6 +5,7 @@
 // network has a thread of its own.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -32,7 +33,8 @@ struct PublisherOptions {
   SensorCalibration calibration;
   std::optional<RigidTransform> world_from_depth;
   double fps = 30;
-  bool wait_for_hub = false;  // keep trying if there is no hub at first; else open() fails
+  bool send_unwatched = false;  // frames are wanted while nobody watches, too
+  bool wait_for_hub = false;    // keep trying if there is no hub at first; else open() fails
   LogSink log;
   std::stop_token stop = {};  // ends the wait of open() for the hub
 };
@@ -55,6 +57,13 @@ class Publisher {
   /// sensor.
   static Result<std::unique_ptr<Publisher>> open(PublisherOptions options);
   ~Publisher();
+
+  /// Whether anybody receives this sensor's frames, by the hub's word. True without a connection,
+  /// and with `send_unwatched`.
+  [[nodiscard]] bool frames_wanted() const;
+  /// Waits until frames are wanted, at most `patience`. Also returns when `stop` is requested or
+  /// the connection has ended for good.
+  void wait_until_wanted(std::chrono::milliseconds patience, const std::stop_token& stop);
 
   /// Permission to encode and publish one frame.
   struct Turn {

@@ -43,6 +43,20 @@ class PublisherTest : public testing::Test {
     return answer.get_future().get();
   }
 
+  /// Returns when the publisher knows it.
+  void say_frames_are(bool wanted) {
+    ask_hub([wanted](FakeHub& h) {
+      wire::pb::Control demand;
+      demand.mutable_frame_demand()->set_wanted(wanted);
+      h.say(demand);
+      return 0;
+    });
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    while (publisher->frames_wanted() != wanted && std::chrono::steady_clock::now() < give_up)
+      std::this_thread::yield();
+    ASSERT_EQ(publisher->frames_wanted(), wanted);
+  }
+
   Publisher::Turn wait_for_turn() {
     const auto give_up = std::chrono::steady_clock::now() + 5s;
     for (;;) {
@@ -153,6 +167,43 @@ TEST_F(PublisherTest, a_key_request_reaches_the_encoder) {
   bool wanted = false;
   while (!wanted && std::chrono::steady_clock::now() < give_up) wanted = wait_for_turn().want_key;
   EXPECT_TRUE(wanted);
+}
+
+TEST_F(PublisherTest, frames_are_wanted_until_the_hub_says_otherwise) {
+  EXPECT_TRUE(publisher->frames_wanted());
+  say_frames_are(false);
+  publisher->wait_until_wanted(1ms, {});
+  EXPECT_FALSE(publisher->frames_wanted()) << "it waits no longer than it is told to";
+  ask_hub([](FakeHub& h) {
+    h.hang_up();
+    return 0;
+  });
+  publisher->wait_until_wanted(10s, {});
+  EXPECT_TRUE(publisher->frames_wanted()) << "without a connection nobody has said otherwise";
+}
+
+TEST_F(PublisherTest, who_begins_to_watch_gets_a_key_frame_at_once) {
+  ASSERT_TRUE(publish(wait_for_turn(), kKey).has_value());
+  say_frames_are(false);
+  auto waiting = std::async(std::launch::async, [&] { publisher->wait_until_wanted(60s, {}); });
+  ask_hub([](FakeHub& h) {
+    wire::pb::Control demand;
+    demand.mutable_frame_demand()->set_wanted(true);
+    h.say(demand);
+    return 0;
+  });
+  ASSERT_EQ(waiting.wait_for(5s), std::future_status::ready);
+  EXPECT_TRUE(publisher->frames_wanted());
+  EXPECT_TRUE(wait_for_turn().want_key);
+}
+
+TEST_F(PublisherTest, a_stop_ends_the_wait_for_a_viewer) {
+  say_frames_are(false);
+  std::stop_source stop;
+  auto waiting =
+      std::async(std::launch::async, [&] { publisher->wait_until_wanted(60s, stop.get_token()); });
+  stop.request_stop();
+  EXPECT_EQ(waiting.wait_for(5s), std::future_status::ready);
 }
 
 TEST_F(PublisherTest, while_frames_pile_up_no_turn_is_granted) {

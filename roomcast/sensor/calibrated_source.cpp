@@ -21,6 +21,7 @@ class CalibratedSource final : public source::FrameSource {
     return description_;
   }
   [[nodiscard]] source::SourceHealth health() const override { return source_->health(); }
+  void set_idle(bool is_idle) override { source_->set_idle(is_idle); }
   [[nodiscard]] Result<bool> next(source::CapturedFrame& frame, std::stop_token stop) override {
     auto more = source_->next(frame, std::move(stop));
     if (more && *more) depth_values_.to_mm(frame.depth_mm);

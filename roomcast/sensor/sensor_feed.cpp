@@ -20,6 +20,8 @@ namespace roomcast::sensor {
 namespace {
 
 constexpr std::chrono::seconds kHealthInterval(2);
+/// Between frames while nobody watches: as often as moves of the sensor are looked for.
+constexpr std::chrono::milliseconds kIdleInterval = alignment::kCheckInterval;
 
 client::PublisherOptions publisher_options(const source::SensorDescription& sensor,
                                            const SensorFeedOptions& feed) {
@@ -31,6 +33,7 @@ client::PublisherOptions publisher_options(const source::SensorDescription& sens
   options.calibration = sensor.calibration;
   if (feed.send_pose) options.world_from_depth = sensor.world_from_depth;
   options.fps = sensor.fps;
+  options.send_unwatched = feed.send_unwatched;
   options.wait_for_hub = feed.wait_for_hub;
   options.log = feed.log;
   options.stop = feed.stop;
@@ -59,6 +62,7 @@ class SensorFeed::Worker {
   void run(const std::stop_token& stop) {
     Status status;
     while (status && !stop.stop_requested()) {
+      if (set_idle(may_idle())) sender_->publisher().wait_until_wanted(kIdleInterval, stop);
       auto more = source_->next(captured_, stop);
       if (!more) {
         status = more.error();
@@ -66,9 +70,7 @@ class SensorFeed::Worker {
         break;
       } else {
         report_place();
-        watch_interference();
-        if (completion_) completion_->complete(captured_.depth_mm, captured_.color);
-        status = send_captured();
+        if (sender_->publisher().frames_wanted()) status = process_captured();
         if (status) show_preview();
       }
       if (auto failure = sender_->publisher().failure()) status = *failure;
@@ -80,7 +82,9 @@ class SensorFeed::Worker {
   SensorFeedStats stats() const {
     const client::PublisherStats sent = sender_->publisher().stats();
     std::lock_guard lock(mutex_);
-    return {sent.frames_sent, sent.frames_skipped, sent.bytes_sent, source_->health(), figures_};
+    return {sent.frames_sent,  sent.frames_skipped,
+            sent.bytes_sent,   sender_->publisher().frames_wanted(),
+            source_->health(), figures_};
   }
   std::optional<Status> result() const {
     std::lock_guard lock(mutex_);
@@ -88,9 +92,30 @@ class SensorFeed::Worker {
   }
 
  private:
+  /// Whether a few frames suffice: nobody receives them, and the aligner has, or cannot get, what
+  /// it needs to place this sensor.
+  bool may_idle() const {
+    const client::Publisher& publisher = sender_->publisher();
+    if (publisher.frames_wanted() || !has_tried_bundle_) return false;
+    const wire::pb::SightingRequest sightings = publisher.wanted_sightings();
+    return !sightings.heads() && !sightings.tags();
+  }
+
+  bool set_idle(bool is_idle) {
+    if (std::exchange(is_idle_, is_idle) != is_idle) source_->set_idle(is_idle);
+    return is_idle;
+  }
+
+  Status process_captured() {
+    watch_interference();
+    if (completion_) completion_->complete(captured_.depth_mm, captured_.color);
+    return send_captured();
+  }
+
   /// Sends a new bundle, a move of the sensor, and sightings.
   void report_place() {
     auto news = bundle_.add(captured_);
+    if (!news || news->moved || news->bundle) has_tried_bundle_ = !news || !news->moved;
     if (!news) return complain(news.error().message);
     if (news->moved) {
       sender_->publisher().report_moved();
@@ -171,6 +196,8 @@ class SensorFeed::Worker {
   std::unique_ptr<source::FrameSource> source_;
   const LogSink log_;
   BundleMonitor bundle_;
+  bool has_tried_bundle_ = false;  // since it joined, or was moved
+  bool is_idle_ = false;
   SightingDetector sighting_detector_;
   std::string complaint_;   // the last reason that was logged
   bool too_large_ = false;  // the last frame was

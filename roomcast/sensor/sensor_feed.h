@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SensorFeed: the capture pipeline of a sensor, the paper's Algorithm 1 from end to end: capture,
-// map colour into the depth grid, compress, send. Threading: runs on a thread of its own; the
-// methods are thread-safe.
+// map colour into the depth grid, compress, send. While nobody watches the room, the feed captures
+// a few frames a second, by which it notices that the sensor is moved, and sends none. Threading:
+// runs on a thread of its own; the methods are thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -27,6 +28,7 @@ struct SensorFeedOptions {
   client::Credential credential = {};
   std::string name;  // empty: the source's own
   CodecChoice codec;
+  bool send_unwatched = false;  // send frames while nobody watches, too
   bool wait_for_hub = false;
   bool filter_interference = true;  // live mode only; other modes send depth as it comes
   bool complete_planes = true;      // likewise: depth where a large plane returns none
@@ -41,6 +43,7 @@ struct SensorFeedStats {
   std::uint64_t frames_sent = 0;
   std::uint64_t frames_skipped = 0;
   std::uint64_t bytes_sent = 0;
+  bool frames_wanted = true;  // false: nobody watches, and no frames are sent
   source::SourceHealth source;
   InterferenceFigures interference;
 };

@@ -60,6 +60,10 @@ class FrameSource {
   /// Thread-safe.
   [[nodiscard]] virtual SourceHealth health() const { return {}; }
 
+  /// From now on next() is called a few times a second only (true), or for every frame again
+  /// (false). Frames that are not read while the source is idle do not count as lost.
+  virtual void set_idle(bool /*is_idle*/) {}
+
   /// Waits for the next frame and fills `frame` (its memory is reused). Returns true for a frame,
   /// false if the source has ended or `stop` was requested. Errors: kMalformed / kNotFound with the
   /// file and its problem.

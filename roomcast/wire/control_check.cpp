@@ -327,6 +327,7 @@ Status check_control(const pb::Control& control) {
     case pb::Control::kRevokedTokens:
       return check_revoked_tokens(control.revoked_tokens());
     case pb::Control::kSightingRequest:
+    case pb::Control::kFrameDemand:
     case pb::Control::kSensorMoved:
     case pb::Control::kClockPing:
     case pb::Control::kClockPong:

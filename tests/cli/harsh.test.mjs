@@ -90,7 +90,7 @@ for (const [what, text] of Object.entries(nonsense)) {
 
 test('a_sensor_prints_its_state_as_json', async (t) => {
   const hub = await startHub(t);
-  const sensor = new Program(['sensor', '--source', 'sim:bare', '--hub', hub.url, '--json']);
+  const sensor = new Program(['sensor', '--source', 'sim:bare', '--hub', hub.url, '--json', '--always']);
   t.after(() => sensor.stop('SIGKILL'));
   const [line] = await sensor.prints(/\{.*"interference".*\}/);
   const state = JSON.parse(line);

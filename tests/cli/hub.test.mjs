@@ -115,7 +115,8 @@ test('hub_closes_connections_with_invalid_data_and_serves_the_others', async (t)
 });
 
 test('metrics_count_sensors_and_sets', async (t) => {
-  const { hub } = await startRoom(t);
+  const hub = await startHub(t);
+  await startSensor(t, hub, '--always');
   const deadline = Date.now() + 10_000;
   let metrics = '';
   while (!/^roomcast_sets_total\{room="room"\} [1-9]/m.test(metrics)) {

@@ -95,8 +95,8 @@ export function assertFailed({ code, stderr }, expectedCode, sentence) {
 }
 
 /** Starts a simulated sensor and waits until it has joined the hub; it is stopped when the test `t` ends. */
-export async function startSensor(t, hub) {
-  const sensor = new Program(['sensor', '--source', 'sim', '--hub', hub.url, '--verbose']);
+export async function startSensor(t, hub, ...options) {
+  const sensor = new Program(['sensor', '--source', 'sim', '--hub', hub.url, '--verbose', ...options]);
   t.after(() => sensor.stop('SIGKILL'));
   await sensor.prints(/joined/);
   return sensor;

@@ -106,6 +106,7 @@ Json brief_room(const RoomSettings& settings, const RoomStats& stats) {
 Json whole_room(const RoomSettings& settings, const RoomStats& stats) {
   Json json = to_json(settings);
   count_people(stats, json);
+  json["frames_wanted"] = stats.frames_wanted;
   return json;
 }
 

@@ -104,6 +104,7 @@ std::map<std::string, Reader> readers_into(RoomSettings& s) {
           {"view", into(s.view)},
           {"record", into(s.record)},
           {"export", into(s.share)},
+          {"stream_unwatched", into(s.stream_unwatched)},
           {"start_positions", into(s.start_positions)}};
 }
 
@@ -163,6 +164,7 @@ Json to_json(const RoomSettings& settings) {
           {"view", name_of(settings.view)},
           {"record", name_of(settings.record)},
           {"export", name_of(settings.share)},
+          {"stream_unwatched", settings.stream_unwatched},
           {"start_positions", std::move(positions)}};
 }
 

@@ -48,6 +48,7 @@ struct RoomSettings {
   AccessRule view = AccessRule::kAnyone;
   AccessRule record = AccessRule::kAnyone;
   AccessRule share = AccessRule::kAnyone;           // "export" in JSON
+  bool stream_unwatched = false;                    // sensors send frames while nobody watches, too
   std::vector<StartPosition> start_positions = {};  // used in turn; none: next to the sensors
 };
 

@@ -155,6 +155,40 @@ RoomActions Room::key_needed(SensorId id, RoomTime now) {
   return out;
 }
 
+RoomActions Room::change(RoomSettings settings, RoomTime now) {
+  settings_ = std::move(settings);
+  RoomActions out;
+  update_demand(now, out);
+  return out;
+}
+
+RoomActions Room::watch_elsewhere(bool is_watched, RoomTime now) {
+  is_watched_elsewhere_ = is_watched;
+  RoomActions out;
+  update_demand(now, out);
+  return out;
+}
+
+bool Room::is_watched() const {
+  return settings_.stream_unwatched || is_watched_elsewhere_ || !viewers_.empty();
+}
+
+pb::Control Room::demand_message() const {
+  pb::Control message;
+  message.mutable_frame_demand()->set_wanted(demand_.wanted());
+  return message;
+}
+
+/// Tells the sensors of this hub when frames begin or cease to be wanted.
+void Room::update_demand(RoomTime now, RoomActions& out) {
+  if (!demand_.update(is_watched(), now)) return;
+  std::vector<ConnectionId> to;
+  for (const RoomSensor& sensor : sensors_.all()) {
+    if (sensor.connection && !sensor.is_at_other_hub) to.push_back(*sensor.connection);
+  }
+  if (!to.empty()) out.push_back(SendControl{std::move(to), demand_message()});
+}
+
 RoomActions Room::forget(const std::string& name, RoomTime now) {
   RoomActions out;
   const RoomSensor* sensor = sensors_.find(name);
@@ -182,6 +216,7 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
     if (aligners_.empty() && (wanted_sightings_.heads() || wanted_sightings_.tags()))
       ask_for_sightings({}, out);
   }
+  update_demand(now, out);
   return out;
 }
 
@@ -195,6 +230,7 @@ RoomActions Room::tick(RoomTime now) {
     out.push_back(SendControl{readers_of_poses(), *std::move(poses)});
   }
   if (roster_changed_ && now >= next_roster_) send_roster(now, out);
+  update_demand(now, out);
   return out;
 }
 
@@ -207,6 +243,7 @@ std::optional<RoomTime> Room::next_tick() const {
     if (sensor.connection) consider(sensor.key_pace.next());
   }
   consider(poses_.next());
+  consider(demand_.next());
   if (roster_changed_) consider(next_roster_);
   return next;
 }
@@ -301,6 +338,7 @@ pb::Roster Room::roster() const {
 RoomStats Room::stats() const {
   RoomStats stats = set_stats_;
   stats.room = settings_.name;
+  stats.frames_wanted = demand_.wanted();
   for (const RoomSensor& sensor : sensors_.all()) {
     SensorStats& entry = stats.sensors.emplace_back(sensor.stats);
     entry.id = sensor.id;

@@ -18,6 +18,7 @@
 #include "roomcast/hub/access/entry.h"
 #include "roomcast/hub/access/rate_limit.h"
 #include "roomcast/hub/config/room_settings.h"
+#include "roomcast/hub/room/frame_demand.h"
 #include "roomcast/hub/room/frame_synchronizer.h"
 #include "roomcast/hub/room/pose_relay.h"
 #include "roomcast/hub/room/remote_presence.h"
@@ -40,8 +41,8 @@ class Room {
   /// verifies them.
   Room(RoomSettings settings, std::string hub_version, bool restores_poses = true);
 
-  /// Applies to clients that join from now on. The name stays the same.
-  void change(RoomSettings settings) { settings_ = std::move(settings); }
+  /// Permissions and limits apply to clients that join from now on. The name stays the same.
+  [[nodiscard]] RoomActions change(RoomSettings settings, RoomTime now);
   [[nodiscard]] const RoomSettings& settings() const { return settings_; }
 
   /// The sensors known before the hub was started. They get their IDs back when they join. Must be
@@ -67,6 +68,8 @@ class Room {
   [[nodiscard]] RoomActions key_needed(SensorId sensor, RoomTime now);
   /// Forgets a sensor; if it joins again it is a new one. Has no effect on a sensor that is online.
   [[nodiscard]] RoomActions forget(const std::string& sensor, RoomTime now);
+  /// Whether other hubs have viewers for the sensors of this one.
+  [[nodiscard]] RoomActions watch_elsewhere(bool is_watched, RoomTime now);
   /// A connection has closed.
   [[nodiscard]] RoomActions leave(ConnectionId from, RoomTime now);
   /// Time has passed: closes due sets and sends what is due.
@@ -103,6 +106,9 @@ class Room {
                    RoomActions& out);
   void join_aligner(ConnectionId from, const Entry& entry, RoomTime now, RoomActions& out);
   [[nodiscard]] wire::pb::Control welcome_message(const Entry& entry) const;
+  [[nodiscard]] bool is_watched() const;
+  [[nodiscard]] wire::pb::Control demand_message() const;
+  void update_demand(RoomTime now, RoomActions& out);
   void keep_bundle(RoomSensor& sensor, const wire::pb::CalibrationBundle& bundle, RoomTime now,
                    RoomActions& out);
   void lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out);
@@ -144,6 +150,8 @@ class Room {
   RemotePresence remote_presence_;
   PoseRelay poses_;
   FrameSynchronizer sets_;
+  FrameDemand demand_;
+  bool is_watched_elsewhere_ = false;
   RoomStats set_stats_;  // the counters that change with frame sets
   std::uint32_t next_viewer_id_ = 1;
   std::uint32_t roster_revision_ = 0;

@@ -20,7 +20,7 @@ TEST_F(RoomTest, unknown_names_keep_no_sensor_out) {
 }
 
 TEST_F(RoomTest, of_those_who_are_gone_and_have_no_place_the_longest_gone_makes_way) {
-  room.change({.name = "lab", .max_sensors = 3});
+  actions = room.change({.name = "lab", .max_sensors = 3}, at(0s));
   const auto left = enter(sensor_join("left", std::nullopt));
   const auto right = enter(sensor_join("right", std::nullopt));
   const auto door = enter(sensor_join("door", std::nullopt));
@@ -37,7 +37,7 @@ TEST_F(RoomTest, of_those_who_are_gone_and_have_no_place_the_longest_gone_makes_
 }
 
 TEST_F(RoomTest, who_has_a_place_that_was_found_keeps_it_while_gone) {
-  room.change({.name = "lab", .max_sensors = 1});
+  actions = room.change({.name = "lab", .max_sensors = 1}, at(0s));
   const auto left = enter(sensor_join("left", std::nullopt));
   const auto aligner = enter(aligner_join());
   (void)room.control(aligner, placement_of(0, 7), at(1s));
@@ -63,7 +63,7 @@ TEST_F(RoomTest, who_was_forgotten_comes_back_as_a_new_one) {
 }
 
 TEST_F(RoomTest, what_was_found_of_who_had_the_id_before_is_too_late) {
-  room.change({.name = "lab", .max_sensors = 1});
+  actions = room.change({.name = "lab", .max_sensors = 1}, at(0s));
   const auto left = enter(sensor_join("left", std::nullopt));
   pb::Control bundle;
   bundle.mutable_calibration_bundle();

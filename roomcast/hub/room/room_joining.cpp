@@ -44,6 +44,7 @@ RoomActions Room::join(ConnectionId from, const pb::Join& join, const Entry& ent
   }
   const bool is_in = sensors_.find(from) != nullptr || viewers_.contains(from);
   if (is_in && other_hubs_.has_other_hubs()) out.push_back(SendControl{{from}, other_hubs_});
+  update_demand(now, out);
   return out;
 }
 
@@ -81,6 +82,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   }
   sensors_.connect(*sensor, from);
   sensor->token_id = entry.token_id;
+  sensor->is_at_other_hub = entry.other_hub != 0;
   sensor->description = join.sensor();
   sensor->key_pace = {};  // its first frame is a key frame anyway
   sensor->stats.newest_seq.reset();
@@ -98,6 +100,8 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   out.push_back(AcceptConnection{from, Role::kSensor});
   out.push_back(SendControl{{from}, std::move(welcome)});
   out.emplace_back(RestartSensor{sensor->id});
+  if (!demand_.wanted() && !sensor->is_at_other_hub)
+    out.push_back(SendControl{{from}, demand_message()});
   if (wanted_sightings_.heads() || wanted_sightings_.tags()) {
     pb::Control request;
     *request.mutable_sighting_request() = wanted_sightings_;

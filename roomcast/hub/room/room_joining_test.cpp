@@ -86,7 +86,7 @@ TEST_F(RoomTest, a_sensor_that_has_gone_leaves_its_name_to_others) {
 }
 
 TEST_F(RoomTest, a_smaller_room_holds_fewer) {
-  room.change({.name = "lab", .max_sensors = 1, .max_viewers = 1});
+  actions = room.change({.name = "lab", .max_sensors = 1, .max_viewers = 1}, at(0s));
   enter(sensor_join("left"));
   enter(sensor_join("right"));
   EXPECT_EQ(all<Disconnect>(actions).at(0).code, pb::ERROR_ROOM_FULL);
@@ -98,7 +98,8 @@ TEST_F(RoomTest, a_smaller_room_holds_fewer) {
 }
 
 TEST_F(RoomTest, viewers_enter_where_the_rooms_owner_says) {
-  room.change({.name = "lab", .start_positions = {{.x_m = 3, .z_m = 4}, {.x_m = 5, .z_m = 6}}});
+  actions = room.change(
+      {.name = "lab", .start_positions = {{.x_m = 3, .z_m = 4}, {.x_m = 5, .z_m = 6}}}, at(0s));
   for (const double x : {3, 5, 3}) {
     enter(viewer_join());
     const auto welcome = messages(actions, pb::Control::kWelcome).at(0).message.welcome();

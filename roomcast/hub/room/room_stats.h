@@ -59,6 +59,7 @@ struct RoomStats {
   std::uint64_t incomplete_sets = 0;  // without a frame of some sensor that was online
   std::uint64_t dropped_sets = 0;     // dropped for slow viewers, over all viewers so far
   double set_skew_s = 0;              // between the first and last capture in the newest set
+  bool frames_wanted = false;         // else its sensors send none, because nobody watches
 };
 
 /// The time between the first and the last capture in a set. Only the newest frame of each sensor

@@ -81,6 +81,9 @@ class BackplaneEvents : public SessionEvents {
   /// event: it closes sets, and does the other work after an event, once for all. Their messages
   /// are moved from.
   virtual void on_frames(std::span<IncomingFrame> together) = 0;
+  /// The first viewer of a room at another hub wants frames of this hub's sensors, or the last one
+  /// has left.
+  virtual void on_watched_elsewhere(const std::string& room, bool is_watched) = 0;
 };
 
 /// The hub's interface for a backplane; outlives it.

@@ -226,6 +226,11 @@ void RoomRegistry::on_frame(ConnectionId from, const wire::FrameHeader& header,
   if (RoomRunner* room = room_of(from)) room->frame(from, header, std::move(message));
 }
 
+void RoomRegistry::on_watched_elsewhere(const std::string& room, bool is_watched) {
+  const auto found = rooms_.find(room);
+  if (found != rooms_.end()) found->second->watch_elsewhere(is_watched);
+}
+
 void RoomRegistry::on_frames(std::span<IncomingFrame> together) {
   if (RoomRunner* room = room_of(together.front().from)) room->frames(together);
 }

@@ -43,6 +43,10 @@ void RoomRunner::request_keys(const std::vector<SensorId>& sensors) {
   for (const SensorId sensor : sensors) apply(room_.key_needed(sensor, now()));
 }
 
+void RoomRunner::watch_elsewhere(bool is_watched) {
+  apply(room_.watch_elsewhere(is_watched, now()));
+}
+
 void RoomRunner::forget_sensor(const std::string& sensor) {
   apply(room_.forget(sensor, now()));
 }

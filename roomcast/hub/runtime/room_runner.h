@@ -53,8 +53,11 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
   void request_keys(const std::vector<SensorId>& sensors);
   void forget_sensor(const std::string& sensor);
 
-  /// Applies to clients that join from now on. The name stays the same.
-  void change(RoomSettings settings) { room_.change(std::move(settings)); }
+  /// Whether other hubs have viewers for the sensors of this one.
+  void watch_elsewhere(bool is_watched);
+
+  /// As Room::change.
+  void change(RoomSettings settings) { apply(room_.change(std::move(settings), now())); }
   /// Sends a message of the hub to a client; no effect if it has left.
   void send(ConnectionId to, const wire::pb::Control& message) const;
   /// Removes a client from the room and disconnects it; no effect if it has left.

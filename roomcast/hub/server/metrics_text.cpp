@@ -116,6 +116,9 @@ void write_backplane(const BackplaneStats& stats, MetricsWriter& out) {
 void write_rooms(MetricsWriter& out) {
   out.of_rooms("viewers", "gauge", "Viewers in the room.",
                [](const RoomStats& room) { return room.viewers.size(); });
+  out.of_rooms("frames_wanted", "gauge",
+               "0 while nobody watches and the sensors therefore send no frames.",
+               [](const RoomStats& room) { return room.frames_wanted ? 1 : 0; });
   out.of_rooms("sets_total", "counter", "Frame sets that were closed.",
                [](const RoomStats& room) { return room.sets; });
   out.of_rooms("incomplete_sets_total", "counter",

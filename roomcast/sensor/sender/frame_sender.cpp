@@ -50,6 +50,7 @@ Result<std::optional<client::Publisher::Published>> FrameSender::send(DepthView 
                                                                       ColorView color,
                                                                       HostTime capture_time) {
   using Sent = std::optional<client::Publisher::Published>;
+  if (!publisher_->frames_wanted()) return Sent();
   const auto turn = publisher_->next_turn();
   if (!turn) return Sent();
   follow_network(turn->rate_share);

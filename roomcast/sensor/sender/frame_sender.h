@@ -25,9 +25,9 @@ class FrameSender {
                                                    const CodecChoice& codec);
 
   /// Sends a frame whose sizes are those of the calibration; `color` may be empty: none in this
-  /// frame. Nothing: the frame was skipped (no connection, room time not known yet, or earlier
-  /// frames are unsent). kInvalidArgument: a size is wrong. kTooLarge: the encoded frame exceeds
-  /// the wire's limit; later frames may be sent.
+  /// frame. Nothing: the frame was skipped (nobody watches, no connection, room time not known yet,
+  /// or earlier frames are unsent). kInvalidArgument: a size is wrong. kTooLarge: the encoded frame
+  /// exceeds the wire's limit; later frames may be sent.
   Result<std::optional<client::Publisher::Published>> send(DepthView depth_mm, ColorView color,
                                                            HostTime capture_time);
 

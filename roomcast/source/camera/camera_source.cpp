@@ -92,7 +92,10 @@ void CameraSource::hand_over(CapturedFrame& frame) {
   if (auto memory = spare_.try_take()) taken.frame = *std::move(memory);
   std::swap(taken.frame, frame);
   taken.frame.capture_time = clock_.capture_time(taken.frame.device_time, last_picture_at_);
-  if (auto unread = newest_.put(std::move(taken))) spare_.put(std::move(unread->frame));
+  if (auto unread = newest_.put(std::move(taken))) {
+    if (is_idle_) ++unread_while_idle_;
+    spare_.put(std::move(unread->frame));
+  }
 }
 
 void CameraSource::hand_over_end(Status end) {
@@ -159,7 +162,8 @@ Result<bool> CameraSource::after_end() const {
 }
 
 SourceHealth CameraSource::health() const {
-  return {newest_.dropped_count() + unpaired_, losses_, is_there_};
+  const std::uint64_t expected = unread_while_idle_;  // before the count that contains it
+  return {newest_.dropped_count() - expected + unpaired_, losses_, is_there_};
 }
 
 }  // namespace roomcast::source

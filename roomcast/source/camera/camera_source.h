@@ -38,6 +38,7 @@ class CameraSource final : public FrameSource {
 
   [[nodiscard]] const SensorDescription& description() const override { return description_; }
   [[nodiscard]] SourceHealth health() const override;
+  void set_idle(bool is_idle) override { is_idle_ = is_idle; }
   /// Also waits while the camera is lost. Returns false at the end of a file. kMalformed: the file
   /// is damaged.
   [[nodiscard]] Result<bool> next(CapturedFrame& frame, std::stop_token stop) override;
@@ -81,7 +82,8 @@ class CameraSource final : public FrameSource {
   LatestMailbox<Taken> newest_;
   LatestMailbox<CapturedFrame> spare_;  // memory for reuse
   std::atomic<std::uint64_t> unpaired_{0}, losses_{0};
-  std::atomic<bool> is_there_{true};
+  std::atomic<std::uint64_t> unread_while_idle_{0};
+  std::atomic<bool> is_there_{true}, is_idle_{false};
   // Used by the thread that calls next().
   bool reached_end_ = false;
   Status end_;

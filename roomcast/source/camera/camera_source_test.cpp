@@ -70,6 +70,18 @@ TEST_F(CameraAtWork, a_slow_reader_gets_the_newest_frame_and_the_others_are_coun
   EXPECT_EQ(next(*source), 4);
 }
 
+TEST_F(CameraAtWork, frames_that_an_idle_source_is_not_asked_for_are_not_lost) {
+  const auto source = open();
+  source->set_idle(true);
+  backend_->show(1), backend_->show(2), backend_->show(3);
+  int newest = 0;
+  ASSERT_TRUE(soon([&] { return (newest = next(*source)) == 3; }));
+  EXPECT_EQ(source->health().frames_lost, 0U);
+  source->set_idle(false);
+  backend_->show(4), backend_->show(5);
+  EXPECT_TRUE(soon([&] { return source->health().frames_lost == 1; }));
+}
+
 TEST_F(CameraAtWork, depth_that_finds_no_colour_is_counted) {
   const auto source = open();
   backend_->show(1, false), backend_->show(2);

@@ -108,6 +108,13 @@ void ClusterHub::watch(const std::string& name, bool is_watched) {
   });
 }
 
+/// Takes from the directory whether other hubs want this room's frames.
+void ClusterHub::update_wanted(const std::string& name, Room& room) {
+  const bool is_wanted = directory_.is_wanted(name);
+  if (std::exchange(room.is_wanted, is_wanted) != is_wanted)
+    context_.rooms.on_watched_elsewhere(name, is_wanted);
+}
+
 void ClusterHub::sensor_joins(const std::string& room, const std::string& name,
                               const std::string& token_id) {
   if (Room* found = find(room)) found->shared->sensor_joins(name, token_id);
@@ -219,7 +226,7 @@ void ClusterHub::update_rooms() {
   for (const auto& [name, room] : rooms_) {
     room->asked.clear();
     room->shared->ensure_joined();
-    room->is_wanted = directory_.is_wanted(name);
+    update_wanted(name, *room);
     room->shared->set_other_urls(directory_.urls_with(name));
     const auto owner = owner_of(name, own, directory_);
     const bool was_ours = room->owner == id_;

@@ -95,6 +95,7 @@ class ClusterHub final : public hub::Backplane, private SharedRoomOut {
   void update_rooms();
   void report_owned(const std::string& room, bool owns) const;
   void flush(Room& room);
+  void update_wanted(const std::string& name, Room& room);
   [[nodiscard]] Room* find(std::string_view room);
 
   const ClusterOptions options_;

@@ -53,7 +53,7 @@ void ClusterHub::on_heartbeat(const pb::Heartbeat& heartbeat) {
   for (const auto& [name, room] : rooms_) {
     const pb::RoomHere* there = room_of(heartbeat, name);
     if (there == nullptr) continue;
-    room->is_wanted = directory_.is_wanted(name);
+    update_wanted(name, *room);
     if (estimate) room->shared->set_clock(from, *estimate);
     if (there->revision() > room->shared->revision_of(from) && room->asked.insert(from).second) {
       pb::ToHub please;

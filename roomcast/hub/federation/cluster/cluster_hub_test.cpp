@@ -3,6 +3,7 @@
 #include "roomcast/hub/federation/cluster/cluster_hub.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -54,6 +55,23 @@ TEST_F(ClusterHubTest, a_viewer_at_any_hub_sees_a_sensor_at_any_other) {
       RoomTime(SteadyClock().now().time_since_epoch()) - viewer->frames.front().capture_time;
   EXPECT_GT(age, -1s);
   EXPECT_LT(age, 5s) << "captured in this hub's time";
+  disconnect_all();
+}
+
+TEST_F(ClusterHubTest, a_viewer_at_one_hub_makes_the_sensors_of_another_send) {
+  const NatsServer server;
+  const RunningHub first(sharing_over(server)), second(sharing_over(server));
+  const auto sensor = join(first, hub::join_as_sensor("left"));
+  const auto last_demand = [](const hub::RawClient& client) {
+    std::optional<bool> wanted;
+    for (const wpb::Control& message : client.received) {
+      if (message.has_frame_demand()) wanted = message.frame_demand().wanted();
+    }
+    return wanted;
+  };
+  run_until([&] { return last_demand(*sensor) == false; });
+  const auto viewer = join(second, hub::join_as_viewer());
+  run_until([&] { return last_demand(*sensor) == true; });
   disconnect_all();
 }
 

@@ -40,6 +40,9 @@ struct RoomHere final : hub::BackplaneEvents {
   void on_key_needs(ConnectionId, const std::vector<SensorId>& sensors) override {
     key_needs.insert(key_needs.end(), sensors.begin(), sensors.end());
   }
+  void on_watched_elsewhere(const std::string& room, bool is_watched) override {
+    watched_elsewhere.emplace_back(room, is_watched);
+  }
   void on_left(ConnectionId from, const net::CloseReason&) override { left.push_back(from); }
 
   std::vector<std::pair<ConnectionId, wire::pb::Join>> joins;
@@ -48,6 +51,7 @@ struct RoomHere final : hub::BackplaneEvents {
   std::vector<std::pair<ConnectionId, wire::FrameHeader>> frames;
   std::vector<std::size_t> batches;  // number of frames of each on_frames()
   std::vector<SensorId> key_needs;
+  std::vector<std::pair<std::string, bool>> watched_elsewhere;
   std::vector<ConnectionId> left;
 };
 

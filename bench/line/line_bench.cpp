@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/line/line_bench.h"
+
+#include <algorithm>
+#include <ostream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace roomcast::bench {
+
+Result<LineReport> run_line_bench(const LineBenchOptions& options,
+                                  const std::function<void(const std::string&)>& progress) {
+  LineReport report;
+  if (std::ranges::find(options.cases, "unwatched") != options.cases.end()) {
+    if (auto status = measure_unwatched(options, progress, report); !status) return status.error();
+  }
+  return report;
+}
+
+void print_table(const LineReport& report, std::ostream& out) {
+  for (const LineFigure& figure : report.figures) {
+    out << fmt::format("{:<60}{:>10.2f} {}\n", figure.name, figure.value, figure.unit);
+  }
+}
+
+void print_json(const LineReport& report, std::ostream& out) {
+  nlohmann::ordered_json json;
+  json["figures"] = nlohmann::ordered_json::array();
+  for (const LineFigure& figure : report.figures) {
+    json["figures"].push_back(
+        {{"name", figure.name}, {"unit", figure.unit}, {"value", figure.value}});
+  }
+  out << json.dump(2) << "\n";
+}
+
+}  // namespace roomcast::bench

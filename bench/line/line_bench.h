@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// `roomcast bench line`: what the sensors of a room cost on their line.
+//
+//   unwatched  bytes and CPU time of simulated sensors while nobody watches the room, relative to
+//              those while somebody does, and how long the first viewer waits for a whole picture
+//
+// The CPU time is that of this process: sensors, hub, and a viewer that does not decode.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "roomcast/core/result.h"
+
+namespace roomcast::bench {
+
+struct LineBenchOptions {
+  std::vector<std::string> cases = {"unwatched"};
+  std::string scene = "studio";  // of simulated sensors
+  int sensors = 3;
+  std::chrono::milliseconds duration{10'000};  // of each measurement
+  int first_viewers = 5;                       // viewers who come into an unwatched room
+};
+
+/// One number.
+struct LineFigure {
+  std::string name;
+  std::string unit;
+  double value = 0;
+};
+
+struct LineReport {
+  std::vector<LineFigure> figures;
+};
+
+/// `progress` is called with a description of the current measurement. Errors: those of the hub
+/// and of the sensors.
+[[nodiscard]] Result<LineReport> run_line_bench(
+    const LineBenchOptions& options, const std::function<void(const std::string&)>& progress);
+
+/// The case `unwatched`; adds its figures.
+[[nodiscard]] Status measure_unwatched(const LineBenchOptions& options,
+                                       const std::function<void(const std::string&)>& progress,
+                                       LineReport& report);
+
+void print_table(const LineReport& report, std::ostream& out);
+void print_json(const LineReport& report, std::ostream& out);
+
+}  // namespace roomcast::bench

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/line/line_bench.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace roomcast::bench {
+namespace {
+
+using namespace std::chrono_literals;
+
+double figure(const LineReport& report, const std::string& name, const std::string& unit) {
+  const auto found = std::ranges::find_if(
+      report.figures, [&](const LineFigure& f) { return f.name == name && f.unit == unit; });
+  if (found == report.figures.end()) {
+    ADD_FAILURE() << "there is no " << name << ", " << unit;
+    return 0;
+  }
+  return found->value;
+}
+
+TEST(LineBench, sensors_that_nobody_watches_send_next_to_nothing) {
+  LineReport report;
+  const auto status = measure_unwatched(
+      {.scene = "bare", .sensors = 1, .duration = 2s, .first_viewers = 1}, {}, report);
+  ASSERT_TRUE(status.ok()) << status.error().message;
+  EXPECT_GT(figure(report, "unwatched: bytes, watched", "kB/s"), 1);
+  EXPECT_LT(figure(report, "unwatched: bytes", "% of watched"), 3);
+  EXPECT_LT(figure(report, "unwatched: CPU", "% of watched"), 60);
+}
+
+TEST(LineBench, json_has_the_keys_that_scripts_rely_on) {
+  std::ostringstream out;
+  print_json({.figures = {{"unwatched: CPU", "cores", 0.25}}}, out);
+  const auto json = nlohmann::json::parse(out.str());
+  EXPECT_EQ(json["figures"][0]["name"], "unwatched: CPU");
+  EXPECT_EQ(json["figures"][0]["value"], 0.25);
+}
+
+}  // namespace
+}  // namespace roomcast::bench

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast bench line: what the sensors of a room cost on their line.
+#include <iostream>
+#include <memory>
+
+#include "bench/line/line_bench.h"
+#include "roomcast/cli/bench_commands.h"
+#include "roomcast/cli/number_option.h"
+#include "roomcast/cli/status_line.h"
+
+namespace roomcast::cli {
+namespace {
+
+Status run_line(const bench::LineBenchOptions& options, bool json) {
+  StatusLine line;
+  const auto report =
+      bench::run_line_bench(options, [&line](const std::string& next) { line.show(next); });
+  if (!report) return report.error();
+  json ? bench::print_json(*report, std::cout) : bench::print_table(*report, std::cout);
+  return {};
+}
+
+}  // namespace
+
+void add_line_bench(CLI::App& bench, Command& chosen) {
+  auto options = std::make_shared<bench::LineBenchOptions>();
+  auto seconds = std::make_shared<double>(10);
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = bench.add_subcommand(
+      "line", "Bytes and CPU time of sensors whose room nobody watches, relative to watched ones");
+  command->add_option("--case", options->cases, "Cases: unwatched")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"unwatched"}));
+  command->add_option("--scene", options->scene, "The simulated room")->capture_default_str();
+  command->add_option("--sensors", options->sensors, "Number of simulated sensors")
+      ->check(within(1, 8))
+      ->capture_default_str();
+  command->add_option("--seconds", *seconds, "Seconds per measurement")
+      ->check(within(1.0, 600.0))
+      ->capture_default_str();
+  command->add_flag("--json", *json, "Print JSON");
+  command->footer("Example:\n  roomcast bench line --case unwatched --seconds 20");
+  command->callback([options, seconds, json, &chosen] {
+    options->duration = std::chrono::milliseconds(static_cast<std::int64_t>(*seconds * 1000));
+    chosen = [options, json] { return finish("bench line", run_line(*options, *json)); };
+  });
+}
+
+}  // namespace roomcast::cli

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// When a Room asks its sensors for frames.
+#include "roomcast/hub/room/room_test_fixture.h"
+
+namespace roomcast::hub {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+std::vector<SendControl> demands(const RoomActions& actions) {
+  return messages(actions, pb::Control::kFrameDemand);
+}
+
+bool wanted(const SendControl& demand) {
+  return demand.message.frame_demand().wanted();
+}
+
+TEST_F(RoomTest, a_sensor_that_nobody_watches_is_told_so) {
+  const auto sensor = enter(sensor_join("left"));
+  ASSERT_EQ(demands(actions).size(), 1U);
+  EXPECT_THAT(demands(actions)[0].to, ElementsAre(sensor));
+  EXPECT_FALSE(wanted(demands(actions)[0]));
+  EXPECT_FALSE(room.stats().frames_wanted);
+}
+
+TEST_F(RoomTest, a_sensor_of_a_watched_room_is_told_nothing) {
+  enter(viewer_join());
+  enter(sensor_join("left"), 1s);
+  EXPECT_THAT(demands(actions), IsEmpty()) << "frames are wanted unless the hub says otherwise";
+  EXPECT_TRUE(room.stats().frames_wanted);
+}
+
+TEST_F(RoomTest, all_sensors_send_from_the_first_viewer_until_some_seconds_after_the_last) {
+  const auto left = enter(sensor_join("left")), right = enter(sensor_join("right"));
+  const auto viewer = enter(viewer_join(), 1s);
+  ASSERT_EQ(demands(actions).size(), 1U);
+  EXPECT_THAT(demands(actions)[0].to, UnorderedElementsAre(left, right));
+  EXPECT_TRUE(wanted(demands(actions)[0]));
+  const auto second = enter(viewer_join(), 2s);
+  EXPECT_THAT(demands(actions), IsEmpty());
+  EXPECT_THAT(demands(room.leave(viewer, at(3s))), IsEmpty());
+  EXPECT_THAT(demands(room.leave(second, at(4s))), IsEmpty());
+  EXPECT_LE(*room.next_tick(), at(4s + FrameDemand::kKeptUnwatched));
+  EXPECT_THAT(demands(room.tick(at(4s + FrameDemand::kKeptUnwatched - 1ms))), IsEmpty());
+  const auto ended = demands(room.tick(at(4s + FrameDemand::kKeptUnwatched)));
+  ASSERT_EQ(ended.size(), 1U);
+  EXPECT_THAT(ended[0].to, UnorderedElementsAre(left, right));
+  EXPECT_FALSE(wanted(ended[0]));
+}
+
+TEST_F(RoomTest, viewers_of_other_hubs_count) {
+  const auto sensor = enter(sensor_join("left"));
+  const auto begun = demands(room.watch_elsewhere(true, at(1s)));
+  ASSERT_EQ(begun.size(), 1U);
+  EXPECT_THAT(begun[0].to, ElementsAre(sensor));
+  EXPECT_TRUE(wanted(begun[0]));
+  (void)room.watch_elsewhere(false, at(2s));
+  EXPECT_EQ(demands(room.tick(at(2s + FrameDemand::kKeptUnwatched))).size(), 1U);
+}
+
+TEST_F(RoomTest, sensors_of_other_hubs_are_left_to_these) {
+  enter(sensor_join("left"), 0s, {.other_hub = 7});
+  EXPECT_THAT(demands(actions), IsEmpty());
+  enter(viewer_join(), 1s);
+  EXPECT_THAT(demands(actions), IsEmpty());
+}
+
+TEST_F(RoomTest, the_owner_may_want_frames_always) {
+  enter(sensor_join("left"));
+  const auto begun = demands(room.change({.name = "lab", .stream_unwatched = true}, at(1s)));
+  ASSERT_EQ(begun.size(), 1U);
+  EXPECT_TRUE(wanted(begun[0]));
+  enter(sensor_join("right"), 2s);
+  EXPECT_THAT(demands(actions), IsEmpty());
+}
+
+}  // namespace
+}  // namespace roomcast::hub

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/sensor/sensor_feed.h"
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <thread>
+#include <utility>
+
+#include <boost/asio/post.hpp>
+#include <gtest/gtest.h>
+
+#include "roomcast/client/hub_fixture.h"
+#include "roomcast/client/network_thread.h"
+
+namespace roomcast::sensor {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// What a test sees of its source while the feed owns it.
+struct Watched {
+  std::atomic<int> frames{0};
+  std::atomic<bool> is_idle{false};
+};
+
+/// A wall, 200 times a second.
+class Wall final : public source::FrameSource {
+ public:
+  explicit Wall(Watched& watched) : watched_(watched) {
+    description_.name = "wall";
+    description_.calibration.depth = {
+        .width = 64, .height = 48, .fx = 60, .fy = 60, .cx = 32, .cy = 24};
+    description_.calibration.color = description_.calibration.depth;
+    description_.calibration.color_is_registered = true;
+    description_.fps = 200;
+  }
+  [[nodiscard]] const source::SensorDescription& description() const override {
+    return description_;
+  }
+  void set_idle(bool is_idle) override { watched_.is_idle = is_idle; }
+  [[nodiscard]] Result<bool> next(source::CapturedFrame& frame, std::stop_token stop) override {
+    std::this_thread::sleep_for(5ms);
+    frame.depth_mm = DepthImage(64, 48, 1500);
+    frame.color = ColorImage(64, 48, Rgb8{90, 80, 70});
+    frame.index = static_cast<std::uint64_t>(watched_.frames++);
+    frame.capture_time = SteadyClock().now();
+    return !stop.stop_requested();
+  }
+
+ private:
+  Watched& watched_;
+  source::SensorDescription description_;
+};
+
+class SensorFeedTest : public testing::Test {
+ protected:
+  SensorFeedTest() {
+    network.start();
+    SensorFeedOptions options;
+    options.hub_url = hub->url();
+    auto started = SensorFeed::start(std::make_unique<Wall>(source), options);
+    EXPECT_TRUE(started.ok()) << started.error().message;
+    feed = std::move(*started);
+  }
+  ~SensorFeedTest() override {
+    feed.reset();
+    network.finish([this] { hub.reset(); });
+  }
+
+  void say(const wire::pb::Control& message) {
+    boost::asio::post(network.io(), [this, message] { hub->say(message); });
+  }
+  void say_frames_are(bool wanted) {
+    wire::pb::Control demand;
+    demand.mutable_frame_demand()->set_wanted(wanted);
+    say(demand);
+  }
+
+  std::vector<wire::FrameHeader> frames_at_hub() {
+    std::promise<std::vector<wire::FrameHeader>> answer;
+    boost::asio::post(network.io(), [&] { answer.set_value(hub->frames); });
+    return answer.get_future().get();
+  }
+
+  template <class Condition>
+  static bool soon(Condition condition) {
+    const auto give_up = std::chrono::steady_clock::now() + 20s;
+    while (!condition()) {
+      if (std::chrono::steady_clock::now() > give_up) return false;
+      std::this_thread::sleep_for(1ms);
+    }
+    return true;
+  }
+
+  Watched source;
+  client::NetworkThread network;
+  std::optional<client::FakeHub> hub{std::in_place, network.io()};
+  std::unique_ptr<SensorFeed> feed;
+};
+
+TEST_F(SensorFeedTest, while_nobody_watches_it_captures_seldom_and_sends_nothing) {
+  ASSERT_TRUE(soon([&] { return frames_at_hub().size() > 3; }));
+  say_frames_are(false);
+  ASSERT_TRUE(soon([&] { return source.is_idle.load(); }));
+  EXPECT_FALSE(feed->stats().frames_wanted);
+  const auto sent = feed->stats().frames_sent;
+  const int captured = source.frames;
+  std::this_thread::sleep_for(1s);
+  EXPECT_EQ(feed->stats().frames_sent, sent);
+  EXPECT_LE(source.frames - captured, 4) << "200 while somebody watches";
+  EXPECT_TRUE(soon([&] { return source.frames > captured + 4; })) << "its place is still watched";
+}
+
+TEST_F(SensorFeedTest, the_first_viewer_gets_a_key_frame_without_a_gap_in_the_numbers) {
+  ASSERT_TRUE(soon([&] { return frames_at_hub().size() > 3; }));
+  say_frames_are(false);
+  ASSERT_TRUE(soon([&] { return source.is_idle.load(); }));
+  const auto before = frames_at_hub();
+  say_frames_are(true);
+  std::vector<wire::FrameHeader> after;
+  ASSERT_TRUE(soon([&] { return (after = frames_at_hub()).size() > before.size() + 2; }));
+  EXPECT_TRUE(after[before.size()].key);
+  EXPECT_EQ(after[before.size()].seq, before.back().seq + 1) << "nothing was lost";
+  EXPECT_FALSE(source.is_idle);
+}
+
+TEST_F(SensorFeedTest, while_sightings_are_requested_it_captures_at_its_full_rate) {
+  wire::pb::Control request;
+  request.mutable_sighting_request()->set_heads(true);
+  say(request);
+  say_frames_are(false);
+  ASSERT_TRUE(soon([&] { return !feed->stats().frames_wanted; }));
+  const int captured = source.frames;
+  EXPECT_TRUE(soon([&] { return source.frames > captured + 60; }));
+  EXPECT_FALSE(source.is_idle);
+}
+
+}  // namespace
+}  // namespace roomcast::sensor
