@@ -238,6 +238,9 @@ inline const std::vector<Layer> kLayers = {
      "alignment/service core hub/config hub/federation/cluster hub/federation/upstream "
      "hub/runtime hub/server io net net/tls recording/recorder",
      "recording/room"},
+    {"doctor",
+     "core hub/daemon net render/gl source/camera source/drivers",
+     "hub/server"},
     {"capi",
      "client client/room codec core geometry recording/recorder sensor/sender",
      "hub/server"},

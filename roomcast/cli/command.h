@@ -30,6 +30,7 @@ void add_simulate_command(CLI::App& app, Command& chosen);
 void add_contact_sheet_command(CLI::App& app, Command& chosen);
 void add_calibrate_command(CLI::App& app, Command& chosen);
 void add_devices_command(CLI::App& app, Command& chosen);
+void add_doctor_command(CLI::App& app, Command& chosen);
 void add_record_command(CLI::App& app, Command& chosen);
 void add_play_command(CLI::App& app, Command& chosen);
 void add_import_command(CLI::App& app, Command& chosen);
