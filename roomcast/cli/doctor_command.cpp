@@ -36,11 +36,18 @@ Finding check_page() {
 }
 
 std::vector<Finding> examine(const DoctorOptions& options) {
-  std::vector<Finding> findings = {
-      doctor::check_processor(), doctor::check_memory(),    doctor::check_descriptors(),
-      doctor::check_clock(),     doctor::check_disk(),      doctor::check_addresses(),
-      doctor::check_port(net::kDefaultPort), check_page(),  doctor::check_browser(),
-      doctor::check_graphics(),  doctor::check_display(),   doctor::check_headset()};
+  std::vector<Finding> findings = {doctor::check_processor(),
+                                   doctor::check_memory(),
+                                   doctor::check_descriptors(),
+                                   doctor::check_clock(),
+                                   doctor::check_disk(),
+                                   doctor::check_addresses(),
+                                   doctor::check_port(net::kDefaultPort),
+                                   check_page(),
+                                   doctor::check_browser(),
+                                   doctor::check_graphics(),
+                                   doctor::check_display(),
+                                   doctor::check_headset()};
   std::ranges::move(doctor::check_cameras(), std::back_inserter(findings));
   if (!options.hub.empty()) findings.push_back(doctor::check_hub(options.hub));
   return findings;
@@ -71,8 +78,7 @@ void print_json(const std::vector<Finding>& findings) {
                                 {"sentence", finding.sentence},
                                 {"remedy", finding.remedy}});
   }
-  print_out("{}\n",
-            json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  print_out("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 int run_doctor(const DoctorOptions& options) {
@@ -85,16 +91,15 @@ int run_doctor(const DoctorOptions& options) {
 
 void add_doctor_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<DoctorOptions>();
-  CLI::App* command =
-      app.add_subcommand("doctor", "Say what works on this computer, and what to do about the rest");
+  CLI::App* command = app.add_subcommand(
+      "doctor", "Say what works on this computer, and what to do about the rest");
   command->add_option("--hub", options->hub,
                       "Also contact this hub and measure the round trip: ws://HOST:PORT");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
-      "Ends with 1 if there is a problem.\n\nExample:\n  roomcast doctor --hub ws://192.168.1.5:7600");
-  command->callback([options, &chosen] {
-    chosen = [options] { return run_doctor(*options); };
-  });
+      "Ends with 1 if there is a problem.\n\nExample:\n  roomcast doctor --hub "
+      "ws://192.168.1.5:7600");
+  command->callback([options, &chosen] { chosen = [options] { return run_doctor(*options); }; });
 }
 
 }  // namespace roomcast::cli

@@ -16,9 +16,9 @@ Finding judge_camera(const source::UsbCamera& camera, bool is_built_in) {
   }
   if (const auto reason = source::obstacle(camera))
     return {"camera", Verdict::kProblem, name + " cannot be opened.", reason->message};
-  return {"camera", Verdict::kOk,
-          name + " is plugged in: roomcast sensor --source " + camera.kind + ":" + camera.serial +
-              "."};
+  return {
+      "camera", Verdict::kOk,
+      name + " is plugged in: roomcast sensor --source " + camera.kind + ":" + camera.serial + "."};
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ TEST(DoctorCameras, without_a_camera_the_simulator_is_named) {
 }
 
 TEST(DoctorCameras, a_kind_that_is_not_built_in_is_a_problem) {
-  const auto findings =
-      judge_cameras({{.kind = "k4a", .model = "Azure Kinect", .serial = "7", .node = {}}}, is_freenect);
+  const auto findings = judge_cameras(
+      {{.kind = "k4a", .model = "Azure Kinect", .serial = "7", .node = {}}}, is_freenect);
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].verdict, Verdict::kProblem);
   EXPECT_NE(findings[0].sentence.find("Azure Kinect (7)"), std::string::npos);

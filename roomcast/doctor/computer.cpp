@@ -7,10 +7,9 @@
 #include <string>
 #include <thread>
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/timex.h>
-
-#include <fmt/format.h>
 
 #include "roomcast/hub/daemon/data_folder.h"
 
@@ -116,7 +115,8 @@ Finding check_disk() {
             "Name a folder: roomcast hub --data DIR"};
   }
   if (const auto usable = hub::daemon::check_folder(*folder); !usable) {
-    return {"disk", Verdict::kProblem, "A hub cannot keep its data: " + usable.error().message + ".",
+    return {"disk", Verdict::kProblem,
+            "A hub cannot keep its data: " + usable.error().message + ".",
             "Name another folder: roomcast hub --data DIR"};
   }
   auto existing = *folder;

@@ -46,8 +46,7 @@ std::optional<double> round_trip_ms(const net::HubUrl& hub) {
   std::optional<double> took_ms;
   boost::asio::async_connect(socket, places, [&](boost::system::error_code failed, const auto&) {
     if (failed) return;
-    took_ms =
-        std::chrono::duration<double, std::milli>(SteadyClock().now() - began).count();
+    took_ms = std::chrono::duration<double, std::milli>(SteadyClock().now() - began).count();
   });
   io.run_for(kRoundTripPatience);
   return took_ms;

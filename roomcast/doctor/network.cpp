@@ -33,7 +33,8 @@ Finding check_port(std::uint16_t port) {
 
 Finding judge_addresses(const std::vector<std::string>& addresses) {
   if (addresses.empty()) {
-    return {"network", Verdict::kNotice, "This computer is in no network: nobody else can reach it.",
+    return {"network", Verdict::kNotice,
+            "This computer is in no network: nobody else can reach it.",
             "Connect it; programs on this computer work together all the same."};
   }
   return {"network", Verdict::kOk,

@@ -13,8 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 8> kBrowsers = {
-    "google-chrome", "google-chrome-stable", "chromium", "chromium-browser",
-    "microsoft-edge", "brave-browser",       "firefox",  "firefox-esr"};
+    "google-chrome",  "google-chrome-stable", "chromium", "chromium-browser",
+    "microsoft-edge", "brave-browser",        "firefox",  "firefox-esr"};
 
 std::string variable(const char* name) {
   const char* const value = std::getenv(name);
@@ -27,9 +27,10 @@ Finding judge_graphics(const std::string& driver) {
   constexpr std::array<std::string_view, 3> kSoftware = {"llvmpipe", "softpipe", "swrast"};
   for (const std::string_view software : kSoftware) {
     if (driver.find(software) == std::string::npos) continue;
-    return {"graphics", Verdict::kNotice,
-            "Windows and films are drawn by the processor (" + driver + "), which is slow.",
-            "Install the driver of the graphics card, if there is one. A hub and sensors need none."};
+    return {
+        "graphics", Verdict::kNotice,
+        "Windows and films are drawn by the processor (" + driver + "), which is slow.",
+        "Install the driver of the graphics card, if there is one. A hub and sensors need none."};
   }
   return {"graphics", Verdict::kOk, "Windows and films are drawn by " + driver + "."};
 }
@@ -47,7 +48,8 @@ Finding judge_display(std::string_view wayland_display, std::string_view x_displ
     return {"display", Verdict::kOk,
             "Windows open on the Wayland display " + std::string(wayland_display) + "."};
   if (!x_display.empty())
-    return {"display", Verdict::kOk, "Windows open on the X display " + std::string(x_display) + "."};
+    return {"display", Verdict::kOk,
+            "Windows open on the X display " + std::string(x_display) + "."};
   return {"display", Verdict::kNotice, "There is no display for windows here.",
           "Open the page in a browser elsewhere, or draw a picture: roomcast view --headless --png "
           "FILE"};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `roomcast doctor` finds about drawing and watching: graphics, a display, a headset's runtime,
-// a browser. Thread-safe (no state), except that check_graphics() leaves no context current.
+// What `roomcast doctor` finds about drawing and watching: graphics, a display, a headset's
+// runtime, a browser. Thread-safe (no state), except that check_graphics() leaves no context
+// current.
 #pragma once
 
 #include <filesystem>
@@ -21,10 +22,11 @@ namespace roomcast::doctor {
 [[nodiscard]] Finding judge_display(std::string_view wayland_display, std::string_view x_display);
 [[nodiscard]] Finding check_display();
 
-/// Where OpenXR's loader looks for a runtime (OpenXR loader specification 1.0, "Runtime discovery"),
-/// in its order. Empty strings: the variable is not set.
+/// Where OpenXR's loader looks for a runtime (OpenXR loader specification 1.0, "Runtime
+/// discovery"), in its order. Empty strings: the variable is not set.
 [[nodiscard]] std::vector<std::filesystem::path> openxr_runtime_files(
-    const std::string& xr_runtime_json, const std::string& xdg_config_home, const std::string& home);
+    const std::string& xr_runtime_json, const std::string& xdg_config_home,
+    const std::string& home);
 [[nodiscard]] Finding check_headset();
 
 /// The first of the known browsers in one of these folders, which are separated by colons.

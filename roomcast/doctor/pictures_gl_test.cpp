@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/doctor/pictures.h"
-
 #include <fstream>
 
 #include <gtest/gtest.h>
+
+#include "roomcast/doctor/pictures.h"
 
 namespace roomcast::doctor {
 namespace {
