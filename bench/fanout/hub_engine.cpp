@@ -21,6 +21,7 @@ class HubEngine final : public Engine {
     // No sending limits: the benchmark measures the maximum speed.
     constexpr wire::SendingLimits kAnything{1e12, 1e12, 1e12, 1e12};
     options.limits.session = {kAnything, kAnything, kAnything, kAnything};
+    options.rooms = {{.max_viewers = wire::kMaxViewers}};
     std::optional<net::Fingerprint> fingerprint;
     if (tls_) {
       auto identity = make_tls_identity();

@@ -31,7 +31,7 @@ void add_fanout_bench(CLI::App& bench, Command& chosen) {
       "fanout", "One frame to many viewers: CPU time and delay of the hub and of message brokers");
   command->add_option("--viewers", options->viewers, "Numbers of viewers at full speed")
       ->delimiter(',')
-      ->check(within(1, 900))
+      ->check(within(1, 2048))
       ->capture_default_str();
   command->add_option("--rounds", options->rounds, "Measurements of each server, in turns")
       ->check(within(1, 100))

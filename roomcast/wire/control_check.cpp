@@ -237,8 +237,8 @@ Status check_welcome(const pb::Welcome& welcome) {
 }
 
 Status check_viewer_poses(const pb::ViewerPoses& message) {
-  if (message.poses_size() > int{kMaxViewers}) {
-    return Error{ErrorCode::kTooLarge, "there are more poses than viewers in a room"};
+  if (message.poses_size() > kMaxPosesPerMessage) {
+    return Error{ErrorCode::kTooLarge, "there are more poses than a message may have"};
   }
   for (const auto& pose : message.poses()) {
     if (auto s = check_viewer_pose(pose); !s) return s;

@@ -18,7 +18,7 @@ inline constexpr std::size_t kMaxBundleBytes = 2u << 20;  // a control message w
 inline constexpr std::chrono::seconds kJoinDeadline{5};
 inline constexpr std::size_t kMaxUnjoinedConnections = 256;
 inline constexpr std::size_t kMaxSensors = 32;
-inline constexpr std::size_t kMaxViewers = 512;
+inline constexpr std::size_t kMaxViewers = 2048;
 inline constexpr std::size_t kMaxAligners = 4;
 inline constexpr std::size_t kMaxQueuedControlMessages = 64;  // per connection
 
@@ -49,6 +49,7 @@ inline constexpr unsigned kMinDepthSide = 16;
 inline constexpr unsigned kMaxDepthSide = 4096;
 inline constexpr double kMaxFps = 240;
 inline constexpr int kMaxPosesPerSecond = 60;
+inline constexpr int kMaxPosesPerMessage = 512;
 inline constexpr double kMaxPosition_m = 10'000;
 inline constexpr unsigned kMaxLayer = 7;
 

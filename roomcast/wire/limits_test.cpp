@@ -28,7 +28,8 @@ TEST(Limits, are_those_of_the_spec) {
   EXPECT_EQ(kJoinDeadline, 5s);
   EXPECT_EQ(kMaxUnjoinedConnections, 256u);
   EXPECT_EQ(kMaxSensors, 32u);
-  EXPECT_EQ(kMaxViewers, 512u);
+  EXPECT_EQ(kMaxViewers, 2048u);
+  EXPECT_EQ(kMaxPosesPerMessage, 512);
   EXPECT_EQ(kMaxQueuedControlMessages, 64u);
   EXPECT_EQ(kMaxNameBytes, 64u);
   EXPECT_EQ(kMaxImageSide, 8192u);

@@ -38,11 +38,14 @@ struct StartPosition {
 /// world_from_viewer, viewer frame x right, y up, -z forward.
 [[nodiscard]] RigidTransform world_from_viewer(const StartPosition& position);
 
+/// Of a room whose owner sets none. Earlier viewers take no more in a roster.
+inline constexpr std::size_t kUsualMaxViewers = 512;
+
 struct RoomSettings {
   std::string name = "room";
   std::string title = {};  // shown to people; empty: the name
   std::size_t max_sensors = wire::kMaxSensors;
-  std::size_t max_viewers = wire::kMaxViewers;
+  std::size_t max_viewers = kUsualMaxViewers;
   bool listed = true;  // false: known only to clients with a token for it
   AccessRule send = AccessRule::kAnyone;
   AccessRule view = AccessRule::kAnyone;

@@ -28,12 +28,20 @@ std::optional<wire::pb::Control> PoseRelay::take(RoomTime now) {
   if (!has_changed_ || now < next_) return std::nullopt;
   has_changed_ = false;
   wire::pb::Control control;
-  for (auto& [viewer, person] : people_) {
-    if (std::exchange(person.has_changed, false)) {
-      *control.mutable_viewer_poses()->add_poses() = person.pose;
+  auto& poses = *control.mutable_viewer_poses();
+  auto person = people_.upper_bound(last_sent_);
+  for (std::size_t seen = 0; seen < people_.size(); ++seen, ++person) {
+    if (person == people_.end()) person = people_.begin();
+    if (!person->second.has_changed) continue;
+    if (poses.poses_size() == wire::kMaxPosesPerMessage) {
+      has_changed_ = true;
+      break;
     }
+    person->second.has_changed = false;
+    *poses.add_poses() = person->second.pose;
+    last_sent_ = person->first;
   }
-  const auto count = control.viewer_poses().poses_size();
+  const auto count = poses.poses_size();
   if (count == 0) return std::nullopt;  // the viewers that had moved have left
   next_ = now + std::max<nanoseconds>(wire::kPoseInterval, count * wire::kIntervalPerPose);
   return control;

@@ -4,8 +4,8 @@
 // number of viewers that moved. Pure. docs/spec/wire.md §3.
 #pragma once
 
+#include <map>
 #include <optional>
-#include <unordered_map>
 
 #include "roomcast/core/clock.h"
 #include "roomcast/core/ids.h"
@@ -21,8 +21,9 @@ class PoseRelay {
   /// Marks all poses as new, for a client that has just joined.
   void resend_all();
 
-  /// The newest poses of the viewers that moved; nothing: no pose has changed, or the next message
-  /// is not yet due. All viewers get the same message and skip their own pose.
+  /// The newest poses of the viewers that moved, at most kMaxPosesPerMessage; the others follow.
+  /// Nothing: no pose has changed, or the next message is not yet due. All viewers get the same
+  /// message and skip their own pose.
   [[nodiscard]] std::optional<wire::pb::Control> take(RoomTime now);
   /// The time from which take() returns a message; nothing: no pose has changed.
   [[nodiscard]] std::optional<RoomTime> next() const;
@@ -34,7 +35,8 @@ class PoseRelay {
     RoomTime window_begin{};
     int poses_in_window = 0;
   };
-  std::unordered_map<ViewerId, Person> people_;
+  std::map<ViewerId, Person> people_;
+  ViewerId last_sent_{};      // where the next message goes on, so that nobody is left out
   bool has_changed_ = false;  // of any person
   RoomTime next_{};
 };

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/hub/room/pose_relay.h"
 
+#include <algorithm>
+#include <map>
+#include <ranges>
+
 #include <gtest/gtest.h>
 
 #include "roomcast/wire/limits.h"
@@ -46,6 +50,29 @@ TEST(PoseRelay, a_new_client_gets_all_poses) {
   const auto message = relay.take(relayed_at(1s));
   ASSERT_TRUE(message);
   EXPECT_EQ(message->viewer_poses().poses_size(), 1);
+}
+
+TEST(PoseRelay, more_poses_than_a_message_may_have_follow_in_turns) {
+  constexpr auto kViewers = std::uint32_t{wire::kMaxPosesPerMessage} + 100;
+  PoseRelay relay;
+  const auto all_move = [&](nanoseconds when) {
+    for (std::uint32_t i = 1; i <= kViewers; ++i)
+      relay.set(ViewerId{i}, viewer_pose_at(1), relayed_at(when));
+  };
+  std::map<std::uint32_t, int> sent;
+  nanoseconds now{};
+  for (int message = 0; message < 6; ++message) {
+    all_move(now);
+    const auto poses = relay.take(relayed_at(now));
+    ASSERT_TRUE(poses);
+    EXPECT_EQ(poses->viewer_poses().poses_size(), wire::kMaxPosesPerMessage);
+    for (const auto& pose : poses->viewer_poses().poses()) ++sent[pose.viewer_id()];
+    ASSERT_TRUE(relay.next()) << "there are more";
+    now = *relay.next() - relayed_at(0ms);
+  }
+  EXPECT_EQ(sent.size(), kViewers);
+  const auto [least, most] = std::ranges::minmax(sent | std::views::values);
+  EXPECT_LE(most - least, 1) << "everybody has a turn";
 }
 
 TEST(PoseRelay, many_moving_viewers_lengthen_the_interval) {

@@ -122,7 +122,7 @@ TEST_F(RoomTest, a_room_holds_so_many_sensors_and_viewers_and_no_more) {
   EXPECT_THAT(all<Disconnect>(actions), IsEmpty());
   enter(sensor_join("one more"));
   EXPECT_EQ(all<Disconnect>(actions)[0].code, pb::ERROR_ROOM_FULL);
-  for (std::size_t i = 0; i < wire::kMaxViewers; ++i) enter(viewer_join());
+  for (std::size_t i = 0; i < kUsualMaxViewers; ++i) enter(viewer_join());
   EXPECT_THAT(all<Disconnect>(actions), IsEmpty());
   enter(viewer_join());
   EXPECT_EQ(all<Disconnect>(actions)[0].code, pb::ERROR_ROOM_FULL);

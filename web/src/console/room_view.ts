@@ -7,7 +7,7 @@ import type { HubApi, HubRoom, Who } from './hub_api';
 
 const texts = consoleTexts.room;
 const longestName = 64;
-const mostViewers = 512;
+const mostViewers = 2048;
 const mostSensors = 32;
 
 export class RoomView {

@@ -73,7 +73,7 @@ describe('a roster', () => {
   });
   test('of more sensors or viewers than a room may have is refused', () => {
     const sensors = Array.from({ length: 33 }, () => sensor);
-    const viewers = Array.from({ length: 513 }, () => ({ id: 1, name: '' }));
+    const viewers = Array.from({ length: 2049 }, () => ({ id: 1, name: '' }));
     expect(refusal({ case: 'roster', value: { sensors } })).toMatch(/more sensors/);
     expect(refusal({ case: 'roster', value: { viewers } })).toMatch(/more sensors or viewers/);
   });

@@ -11,7 +11,7 @@ import type {
   ViewerPoses,
   Welcome,
 } from '../gen/control_pb';
-import { maxDepthSide, maxFps, maxImageSide, maxPosition_m, maxSensors, maxViewers, minDepthSide } from './limits';
+import { maxDepthSide, maxFps, maxImageSide, maxPosesPerMessage, maxPosition_m, maxSensors, maxViewers, minDepthSide } from './limits';
 import { checkName } from './name_check';
 import { malformed, tooLarge } from './wire_error';
 
@@ -102,7 +102,7 @@ function checkViewerPose(pose: ViewerPose): void {
 }
 
 function checkViewerPoses(message: ViewerPoses): void {
-  if (message.poses.length > maxViewers) throw tooLarge('there are more poses than viewers in a room');
+  if (message.poses.length > maxPosesPerMessage) throw tooLarge('there are more poses than a message may have');
   message.poses.forEach(checkViewerPose);
 }
 
