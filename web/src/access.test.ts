@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { beforeEach, describe, expect, test } from 'vitest';
-import { accessTo, readAccess, rememberAccess } from './access';
+import { accessTo, hasCredential, readAccess, rememberAccess } from './access';
 
 const kept = new Map<string, string>();
 const store = {
@@ -27,6 +27,15 @@ describe('access', () => {
     expect(readAccess('#token=t2', store).token).toBe('t2');
     expect(readAccess('#room=hall', store)).toEqual({ ...nothing, room: 'hall' });
     expect([...kept.values()].join()).not.toContain('abc');
+  });
+
+  test('of the tab is not lost where the fragment is a shared viewpoint, and is read beside one', () => {
+    rememberAccess({ room: 'lab', code: '', token: 't1' }, store);
+    expect(readAccess('#at=1,1,1&look=0,0,0', store).token).toBe('t1');
+    expect(readAccess('#at=1,1,1&look=0,0,0&token=t2', store).token).toBe('t2');
+    expect(hasCredential('#at=1,1,1&look=0,0,0')).toBe(false);
+    expect(hasCredential('#at=1,1,1&token=t2')).toBe(true);
+    expect(hasCredential('#code=c')).toBe(true);
   });
 
   test('survives a store with invalid content', () => {

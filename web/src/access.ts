@@ -31,6 +31,12 @@ export function readAccess(hash: string, store: Store): Access {
   return fresh.room === '' || fresh.room === kept.room ? kept : fresh;
 }
 
+/** True for the fragment of a link with a code or a token. */
+export function hasCredential(hash: string): boolean {
+  const given = new URLSearchParams(hash.replace(/^#/, ''));
+  return part(given, 'code') !== '' || part(given, 'token') !== '';
+}
+
 /** Never presents a credential for another room. */
 export function accessTo(room: string, access: Access): Access {
   const isForAnother = room !== '' && access.room !== '' && access.room !== room;

@@ -14,25 +14,24 @@ import { Progress } from './panel/progress';
 import type { RoomRoster } from './room_roster';
 import { RoomState } from './room_state';
 import { SensorNudges } from './sensor_nudges';
+import { Standpoint, startDistance_m } from './standpoint';
 import { keptIn } from './storage';
 import { pageTime_ms, type FromWorker, type ViewFrame } from './stream/protocol';
 import { RoomLink } from './stream/room_link';
 import { TestApi } from './test_api';
 import { consoleTexts, problemTexts } from './texts';
 import type { DrawMode } from './view/draw_mode';
-import { Navigation } from './view/navigation';
 import { alongView, standingLike } from './view/nudge';
 import { headsetPace, screenPace } from './view/quality_ladder';
 import { darkBackground, lightBackground } from './view/room_scene';
 import { Stage } from './view/stage';
-import { fallbackView, placedOrAll, startView } from './view/start_view';
-import { viewFromBody, viewFromMatrix, type ViewState } from './view/view_state';
+import { keptFragment } from './view/view_address';
+import { viewFromBody, type ViewState } from './view/view_state';
 import { Headset } from './xr/headset';
 import { headsetOffer, type HeadsetMode } from './xr/offer';
 
 const panelInterval_ms = 250;
 const statsInterval_ms = 1000;
-const startDistance_m = 3;
 const roomForPanel_px = 560; // as in panel.css
 
 class Page {
@@ -45,13 +44,11 @@ class Page {
   private readonly posePublisher: PosePublisher;
   private readonly link: RoomLink;
   private readonly stage: Stage;
-  private readonly navigation: Navigation;
+  private readonly standpoint: Standpoint;
   private readonly headset: Headset;
   private readonly nudges = new SensorNudges();
   private atHand: ViewFrame[] = []; // passed to the stage, not yet drawn
   private setAtHand = 0n;
-  private hubKnewSensors = false; // when this viewer joined, so its start pose is meaningful
-  private placedView = false; // the start view was set, or the user has moved the view
 
   constructor(
     private readonly options: PageOptions,
@@ -63,9 +60,12 @@ class Page {
       modeChosen: (mode) => this.setMode(mode),
       sensorSwitched: (sensor, visible) => this.stage.setVisible(sensor, visible),
       themeChosen: (theme) => this.look.choose(theme),
-      reset: () => this.goToStart(),
       consoleWanted: () => this.console.setOpen(!this.console.open),
       tokenGiven: (token) => this.comeBackWith(token),
+      view: {
+        reset: () => this.standpoint.goToStart(),
+        share: () => ({ address: this.standpoint.share(), omitsToken: this.access.token !== '' }),
+      },
       headset: {
         enter: (mode) => this.enter(mode),
         leave: () => void this.headset.leave(),
@@ -81,9 +81,9 @@ class Page {
     this.headset = this.makeHeadset();
     this.look = new Look((isLight) => this.stage.setBackground(isLight ? lightBackground : darkBackground));
     this.posePublisher = new PosePublisher((body) => this.link.pose(body));
-    this.navigation = new Navigation(this.stage.canvas, options.view ?? fallbackView, {
+    this.standpoint = new Standpoint(this.stage, this.state, options, {
       changed: (view) => this.viewChanged(view),
-      reset: () => this.goToStart(),
+      modeGiven: (mode) => this.setMode(mode),
     });
     this.link = new RoomLink(
       { socketUrl: url, room: options.room, name: options.name, record: options.record, access },
@@ -96,11 +96,11 @@ class Page {
     return {
       push: (sensor, step) => {
         const entry = this.state.roster?.sensors.find(({ id }) => id === sensor);
-        if (entry) this.nudges.push(entry, alongView(step, this.navigation.current.yaw));
+        if (entry) this.nudges.push(entry, alongView(step, this.standpoint.current.yaw));
         this.showRoster();
       },
       putHere: (sensor) => {
-        this.nudges.put(sensor, standingLike(this.navigation.current));
+        this.nudges.put(sensor, standingLike(this.standpoint.current));
         this.showRoster();
       },
       tryIt: (sensor) => {
@@ -158,7 +158,7 @@ class Page {
 
   private enter(mode: HeadsetMode): Promise<void> {
     this.stage.renderer.xr.enabled = true;
-    const { position, yaw } = this.navigation.current;
+    const { position, yaw } = this.standpoint.current;
     return this.headset.enter(mode, position, yaw);
   }
 
@@ -169,14 +169,12 @@ class Page {
     stage.ladder.setPace(screenPace);
     stage.room.setPassthrough(false);
     panel.headset.setOn(false);
-    if (state.body) this.navigation.set(viewFromBody(state.body.head, startDistance_m));
+    if (state.body) this.standpoint.set(viewFromBody(state.body.head, startDistance_m));
     state.body = undefined;
   }
 
   private begin(): void {
-    const { stage, state, navigation, headset } = this;
-    this.placedView = this.options.view !== undefined;
-    stage.look(navigation.current);
+    const { stage, state, standpoint, headset } = this;
     if (this.options.best) stage.ladder.pinToBest();
     this.panel.setOpen(this.options.panelOpen ?? window.innerWidth >= roomForPanel_px);
     this.setMode(this.options.mode);
@@ -185,7 +183,7 @@ class Page {
     setInterval(() => this.refreshWords(), panelInterval_ms);
     setInterval(() => this.reportStats(), statsInterval_ms);
     void headsetOffer(window.isSecureContext, navigator_xr()).then((offer) => this.panel.headset.offer(offer));
-    window.roomcast = new TestApi({ stage, state, navigation, headset, setMode: (mode) => this.setMode(mode) });
+    window.roomcast = new TestApi({ stage, state, navigation: standpoint.navigation, headset, setMode: (mode) => this.setMode(mode) });
   }
 
   private receive(message: FromWorker): void {
@@ -244,17 +242,16 @@ class Page {
 
   private followRoster(roster: RoomRoster): void {
     const before = this.state.roster;
-    if (!before) this.hubKnewSensors = roster.sensors.length > 0;
     this.nudges.forgetAnswered(before, roster);
     this.state.follow(roster);
     this.showRoster();
     if (roster.viewers.length > (before?.viewers.length ?? 0)) this.tellPosePublisher();
-    if (!this.placedView && roster.sensors.length > 0) this.goToStart();
+    this.standpoint.followRoster(roster, before);
     this.panel.rebuild();
   }
 
   private tellPosePublisher(): void {
-    this.posePublisher.moved(this.state.body ?? bodyOf(this.navigation.current));
+    this.posePublisher.moved(this.state.body ?? this.standpoint.body);
   }
 
   private take(setId: bigint, frames: ViewFrame[], decodedAt_ms: number): void {
@@ -275,25 +272,12 @@ class Page {
 
   private refresh(now_ms: number, frame: XRFrame | undefined): void {
     if (frame) this.headset.update(now_ms, frame);
-    else this.navigation?.update(now_ms);
+    else this.standpoint?.navigation.update(now_ms);
     this.posePublisher?.update(now_ms);
   }
 
   private viewChanged(view: ViewState): void {
-    this.placedView = true;
-    this.stage.look(view);
     if (!this.headset.isOn) this.posePublisher.moved(bodyOf(view));
-  }
-
-  private start(): ViewState | undefined {
-    if (this.options.view) return this.options.view;
-    const pose = this.state.welcome?.startPose ?? [];
-    if (this.hubKnewSensors && pose.length === 16) return viewFromMatrix(pose, startDistance_m);
-    return startView(placedOrAll((this.state.roster?.sensors ?? []).map(({ pose }) => pose)));
-  }
-
-  private goToStart(): void {
-    this.navigation.set(this.start() ?? fallbackView);
   }
 
   private setMode(mode: DrawMode): void {
@@ -327,7 +311,9 @@ function navigator_xr(): XRSystem | undefined {
 }
 
 const tabStorage = keptIn(() => sessionStorage);
-const options = parseOptions(location.search);
+const options = parseOptions(location.search, location.hash);
 const access = accessTo(options.room, readAccess(location.hash, tabStorage.store));
-if (location.hash !== '') history.replaceState(null, '', location.pathname + location.search);
+if (location.hash !== '') {
+  history.replaceState(null, '', location.pathname + location.search + keptFragment(location.hash));
+}
 new Page(options, access);

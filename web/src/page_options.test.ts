@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { parseOptions, parsePoint, socketUrl } from './page_options';
+import { parseOptions, socketUrl } from './page_options';
+import { parsePoint } from './point';
 
 describe("the page's URL", () => {
   test('may be without options', () => {
@@ -29,6 +30,13 @@ describe("the page's URL", () => {
     expect(parseOptions('?mode=hologram&name=%00a').mode).toBe('blend');
     expect(parseOptions('?name=%00a').name).toBe('a');
     expect(parseOptions('?panel=1').panelOpen).toBe(true);
+  });
+  test('may end in a shared viewpoint, which takes precedence', () => {
+    const { view, mode, name } = parseOptions('?mode=points&at=1,1.6,-2&name=Ada', '#at=5,1,2&look=5,1,0&mode=mesh');
+    expect(view!.position).toEqual(new Vector3(5, 1, 2));
+    expect([mode, name]).toEqual(['mesh', 'Ada']);
+    const broken = parseOptions('?mode=points&at=1,1.6,-2', '#at=5,1,NaN&look=5,1,0&mode=mesh');
+    expect([broken.mode, broken.view!.position.x]).toEqual(['points', 1]);
   });
   test('gives the socket of the same host', () => {
     expect(socketUrl({ protocol: 'http:', host: '127.0.0.1:7600' })).toBe('ws://127.0.0.1:7600/ws');

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses the options in the page's URL: ?mode=blend|mesh|points &at=x,y,z &look=x,y,z &panel=0 &name=... &room=...
-// &quality=best &record=1. The credential is after the #: access.ts.
+// &quality=best &record=1. After the # are the credential (access.ts) and a shared viewpoint (view/view_address.ts), which
+// takes precedence.
 import { Vector3 } from 'three';
+import { parsePoint } from './point';
 import { drawModes, type DrawMode } from './view/draw_mode';
+import { viewpointOf } from './view/view_address';
 import { lookFrom, type ViewState } from './view/view_state';
 import { asName } from './wire/name_check';
 
@@ -16,20 +19,14 @@ export interface PageOptions {
   record: boolean; // keep a record of decoded frames, for tests
 }
 
-/** "1,2.5,-3" in metres; undefined for anything else. */
-export function parsePoint(text: string | null): Vector3 | undefined {
-  const numbers = text?.split(',').map((part) => (part.trim() === '' ? NaN : Number(part))) ?? [];
-  if (numbers.length !== 3 || !numbers.every(Number.isFinite)) return undefined;
-  return new Vector3(...(numbers as [number, number, number]));
-}
-
-export function parseOptions(search: string): PageOptions {
+export function parseOptions(search: string, hash = ''): PageOptions {
   const given = new URLSearchParams(search);
   const at = parsePoint(given.get('at'));
   const look = parsePoint(given.get('look')) ?? new Vector3(0, 1, 0);
+  const shared = viewpointOf(hash);
   return {
-    mode: drawModes.find((mode) => mode === given.get('mode')) ?? 'blend',
-    view: at && lookFrom(at, look),
+    mode: shared?.mode ?? drawModes.find((mode) => mode === given.get('mode')) ?? 'blend',
+    view: shared?.view ?? (at && lookFrom(at, look)),
     panelOpen: given.has('panel') ? given.get('panel') !== '0' : undefined,
     name: asName(given.get('name') ?? ''),
     room: asName(given.get('room') ?? ''),

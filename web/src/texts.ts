@@ -190,8 +190,17 @@ export const panelTexts = {
     ['1 finger', 'look around'],
     ['2 fingers', 'shift and zoom'],
   ] as const,
-  reset: 'Back to the start (R)',
   running: 'Running this room',
+};
+
+export const viewTexts = {
+  title: 'Your view',
+  reset: 'Back to the start (R)',
+  share: 'Share this view',
+  address: 'Address of this view',
+  copied: 'Copied. The address opens this room where you are now.',
+  copyByHand: 'Copy the address above: it opens this room where you are now.',
+  omitsToken: 'Your token is not in it: whoever needs one to enter also needs a link of their own.',
 };
 
 export const progressTexts = {

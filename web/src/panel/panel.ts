@@ -4,7 +4,7 @@
 import type { HubRoom } from '../console/hub_api';
 import { themes, type Theme } from '../look';
 import type { RoomState } from '../room_state';
-import { consoleTexts, headsetTexts, panelTexts as texts } from '../texts';
+import { consoleTexts, headsetTexts, panelTexts as texts, viewTexts } from '../texts';
 import { drawModes, type DrawMode } from '../view/draw_mode';
 import { drawingNote, type Drawing } from './drawing_note';
 import { element, setText } from './element';
@@ -16,6 +16,7 @@ import { RadioGroup } from './radio_group';
 import { RoomList } from './room_list';
 import { SensorList } from './sensor_list';
 import { Troubles } from './troubles';
+import { ViewTools, type ViewToolEvents } from './view_tools';
 import './panel.css';
 
 const longestToken = 4096;
@@ -24,10 +25,10 @@ export interface PanelEvents {
   modeChosen(mode: DrawMode): void;
   themeChosen(theme: Theme): void;
   sensorSwitched(sensor: string, visible: boolean): void;
-  reset(): void;
   consoleWanted(): void;
   /** Returns why the token cannot be used, or nothing. */
   tokenGiven(token: string): string;
+  view: ViewToolEvents;
   headset: HeadsetControlEvents;
 }
 
@@ -47,6 +48,7 @@ function section(title: string, ...content: Node[]): HTMLElement {
 
 export class Panel {
   readonly headset: HeadsetControls;
+  private readonly tools: ViewTools;
   private readonly dot = element('span', { class: 'dot', 'aria-hidden': 'true' });
   private readonly title = element('h1', {}, 'roomcast');
   private readonly phase = element('p', { class: 'phase', role: 'status' });
@@ -76,6 +78,7 @@ export class Panel {
     private readonly events: PanelEvents,
   ) {
     this.sensors = new SensorList(state, (sensor, visible) => events.sensorSwitched(sensor, visible));
+    this.tools = new ViewTools(events.view);
     this.headset = new HeadsetControls(events.headset);
     const modes = drawModes.map((value) => ({ value, ...texts.modes[value] }));
     this.modes = new RadioGroup('mode', texts.drawnAs, modes, (mode) => events.modeChosen(mode));
@@ -182,7 +185,8 @@ export class Panel {
       section(texts.sensors, this.sensors.root),
       section(texts.people, this.people),
       this.roomChoice,
-      section(texts.drawnAs, this.modes.root, this.drawing, this.wayBack()),
+      section(texts.drawnAs, this.modes.root, this.drawing),
+      section(viewTexts.title, this.tools.root),
       section(headsetTexts.title, this.headset.root),
       section(texts.theme, this.themes.root),
       this.help(),
@@ -203,12 +207,6 @@ export class Panel {
     const rows = texts.keys.map(([keys, what]) => element('div', {}, element('dt', {}, keys), element('dd', {}, what)));
     const keys = element('dl', { class: 'keys' }, ...rows);
     return element('details', { class: 'help' }, element('summary', {}, texts.moving), keys);
-  }
-
-  private wayBack(): HTMLElement {
-    const reset = element('button', { type: 'button', class: 'plain back' }, texts.reset);
-    reset.addEventListener('click', () => this.events.reset());
-    return reset;
   }
 
   private makeTokenForm(): HTMLElement {
