@@ -8,6 +8,7 @@ import './memory.test.mjs';
 import './nudge.test.mjs';
 import './parts.test.mjs';
 import './picture.test.mjs';
+import './places.test.mjs';
 import './room.test.mjs';
 import './security.test.mjs';
 import './console.test.mjs';

@@ -21,8 +21,8 @@ const args = [
   '--enable-unsafe-swiftshader',
 ];
 
-/** `ignoreHTTPSErrors`: accept certificates without a trusted issuer. */
-export async function startBrowser({ width = 640, height = 400, ignoreHTTPSErrors = false } = {}) {
+/** `ignoreHTTPSErrors`: accept certificates without a trusted issuer. `phone`: fingers instead of a mouse. */
+export async function startBrowser({ width = 640, height = 400, ignoreHTTPSErrors = false, phone = false } = {}) {
   const profile = mkdtempSync(join(tmpdir(), 'roomcast-e2e-'));
   const context = await chromium.launchPersistentContext(profile, {
     executablePath,
@@ -30,6 +30,8 @@ export async function startBrowser({ width = 640, height = 400, ignoreHTTPSError
     chromiumSandbox: false,
     viewport: { width, height },
     ignoreHTTPSErrors,
+    hasTouch: phone,
+    isMobile: phone,
     timeout: patience_ms,
     args,
   });

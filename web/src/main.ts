@@ -10,6 +10,7 @@ import { bodyOf, PosePublisher } from './pose_publisher';
 import { parseOptions, socketUrl, type PageOptions } from './page_options';
 import type { NudgeEvents } from './panel/nudge_controls';
 import { Panel } from './panel/panel';
+import { pictureName } from './panel/picture_name';
 import { Progress } from './panel/progress';
 import type { RoomRoster } from './room_roster';
 import { RoomState } from './room_state';
@@ -62,9 +63,11 @@ class Page {
       themeChosen: (theme) => this.look.choose(theme),
       consoleWanted: () => this.console.setOpen(!this.console.open),
       tokenGiven: (token) => this.comeBackWith(token),
+      follow: (viewer) => !this.headset.isOn && this.standpoint.follow.toggle(viewer),
       view: {
         reset: () => this.standpoint.goToStart(),
         share: () => ({ address: this.standpoint.share(), omitsToken: this.access.token !== '' }),
+        picture: () => this.takePicture(),
       },
       headset: {
         enter: (mode) => this.enter(mode),
@@ -81,9 +84,10 @@ class Page {
     this.headset = this.makeHeadset();
     this.look = new Look((isLight) => this.stage.setBackground(isLight ? lightBackground : darkBackground));
     this.posePublisher = new PosePublisher((body) => this.link.pose(body));
-    this.standpoint = new Standpoint(this.stage, this.state, options, {
+    this.standpoint = new Standpoint(this.stage, this.state, options, tabStorage.store, {
       changed: (view) => this.viewChanged(view),
       modeGiven: (mode) => this.setMode(mode),
+      followChanged: () => this.panel.setFollowed(this.standpoint.follow.whom),
     });
     this.link = new RoomLink(
       { socketUrl: url, room: options.room, name: options.name, record: options.record, access },
@@ -157,6 +161,7 @@ class Page {
   }
 
   private enter(mode: HeadsetMode): Promise<void> {
+    this.standpoint.follow.end();
     this.stage.renderer.xr.enabled = true;
     const { position, yaw } = this.standpoint.current;
     return this.headset.enter(mode, position, yaw);
@@ -272,7 +277,7 @@ class Page {
 
   private refresh(now_ms: number, frame: XRFrame | undefined): void {
     if (frame) this.headset.update(now_ms, frame);
-    else this.standpoint?.navigation.update(now_ms);
+    else this.standpoint?.update(now_ms);
     this.posePublisher?.update(now_ms);
   }
 
@@ -283,6 +288,11 @@ class Page {
   private setMode(mode: DrawMode): void {
     this.stage.setMode(mode);
     this.panel.setMode(this.stage.room.drawMode);
+  }
+
+  private async takePicture() {
+    const png = await this.stage.snapshot();
+    return png && { png, name: pictureName(this.state.welcome?.room ?? '', new Date()) };
   }
 
   private reportStats(): void {
@@ -296,6 +306,7 @@ class Page {
     if (room) this.panel.showDrawing({ mode: room.drawMode, mixes: room.isMixing, ...room.sensorCounts });
     this.panel.refresh();
     this.progress.refresh();
+    this.standpoint?.offerHint(this.state.shownSets > 0);
   }
 
   /** The page cannot continue; with an empty sentence, it can again. */

@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where this page's viewer stands: the start view, the view that an address holds, and what moves it.
 import { hasCredential } from './access';
+import { Follow } from './follow';
 import type { PageOptions } from './page_options';
+import './panel/overlay.css';
+import { MoveHint } from './panel/move_hint';
+import { watchPointer } from './panel/pointer_kind';
+import { WalkStick } from './panel/walk_stick';
 import { bodyOf } from './pose_publisher';
 import type { RoomState } from './room_state';
 import type { RoomRoster } from './room_roster';
+import type { Store } from './storage';
 import type { Body } from './stream/protocol';
 import type { DrawMode } from './view/draw_mode';
+import { floorPoint, viewAt } from './view/going_there';
+import { IdPass, pixelRay } from './view/id_pass';
 import { Navigation } from './view/navigation';
 import type { Stage } from './view/stage';
 import { fallbackView, placedOrAll, startView } from './view/start_view';
 import { keptFragment, sharedAddress, viewFragment, viewpointOf } from './view/view_address';
+import { reachOf } from './view/view_limits';
 import { viewFromMatrix, type ViewState } from './view/view_state';
 
 export const startDistance_m = 3; // from a pose to the point that its owner looks at
@@ -18,10 +27,20 @@ export const startDistance_m = 3; // from a pose to the point that its owner loo
 export interface StandpointEvents {
   changed(view: ViewState): void;
   modeGiven(mode: DrawMode): void;
+  /** Another person is followed, or nobody. */
+  followChanged(): void;
+}
+
+const floorWithin_m = 30; // a floor that no sensor sees, and that one can go to
+
+function byId(id: string): HTMLElement {
+  return document.getElementById(id)!;
 }
 
 export class Standpoint {
   readonly navigation: Navigation;
+  readonly follow: Follow;
+  private readonly hint: MoveHint;
   private hubKnewSensors = false; // when this viewer joined, so its start pose is meaningful
   private placed: boolean; // the start view was set, or the user has moved the view
   private opened: ViewState | undefined; // by the address
@@ -30,13 +49,23 @@ export class Standpoint {
     private readonly stage: Stage,
     private readonly state: RoomState,
     options: PageOptions,
+    tabStore: Store,
     private readonly events: StandpointEvents,
   ) {
     this.opened = options.view;
     this.placed = options.view !== undefined;
     this.navigation = new Navigation(stage.canvas, options.view ?? fallbackView, {
       changed: (view) => this.changed(view),
+      moved: () => this.moved(),
+      goThere: (x, y) => this.goToPixel(x, y),
       reset: () => this.goToStart(),
+    });
+    this.follow = new Follow(byId('follow'), state, { changed: () => events.followChanged() });
+    this.hint = new MoveHint(byId('hint'), tabStore);
+    const stick = new WalkStick(byId('stick'), (push) => this.navigation.pushStick(push));
+    watchPointer((kind) => {
+      this.hint.setKind(kind);
+      stick.setShown(kind === 'touch');
     });
     stage.look(this.current);
     window.addEventListener('hashchange', () => this.addressChanged());
@@ -55,13 +84,30 @@ export class Standpoint {
   }
 
   goToStart(): void {
-    this.navigation.set(this.start() ?? fallbackView);
+    this.follow.end();
+    this.navigation.set(this.navigation.permitted(this.start() ?? fallbackView));
+  }
+
+  /** Call once per screen refresh. */
+  update(now_ms: number): void {
+    this.navigation.update(now_ms);
+    const view = this.follow.update(this.current, now_ms);
+    if (view !== this.current) this.navigation.set(this.navigation.permitted(view));
+  }
+
+  /** There is a room to see. */
+  offerHint(offered: boolean): void {
+    this.hint.offer(offered);
   }
 
   /** `before` is the roster until now, undefined for the first one. */
   followRoster(roster: RoomRoster, before: RoomRoster | undefined): void {
     if (!before) this.hubKnewSensors = roster.sensors.length > 0;
+    const reach = reachOf(placedOrAll(roster.sensors.map(({ pose }) => pose)));
+    if (reach) this.navigation.setReach(reach);
+    if (this.current === this.opened) this.goToStart(); // it is known now how far from the room that may be
     if (!this.placed && roster.sensors.length > 0) this.goToStart();
+    this.follow.rosterChanged();
   }
 
   /** The address of this room and viewpoint for others. The page's own address holds the viewpoint from then on. */
@@ -80,6 +126,19 @@ export class Standpoint {
     this.opened = given.view;
     if (given.mode) this.events.modeGiven(given.mode);
     this.goToStart();
+  }
+
+  private moved(): void {
+    this.hint.moved();
+    this.follow.end();
+  }
+
+  /** Smoothly to the surface that is seen at a pixel, or to the floor where no sensor sees anything. */
+  private goToPixel(x: number, y: number): void {
+    const { stage } = this;
+    if (stage.renderer.xr.isPresenting) return;
+    const point = new IdPass(stage).pointAt(x, y) ?? floorPoint(stage.camera.position, pixelRay(stage, x, y), floorWithin_m);
+    if (point) this.navigation.glideTo(viewAt(this.current, point));
   }
 
   private changed(view: ViewState): void {

@@ -161,6 +161,8 @@ export const panelTexts = {
   people: 'People',
   person: (id: number) => `viewer ${id}`,
   you: (name: string) => `${name} (you)`,
+  follow: 'Follow',
+  followWhom: (name: string) => `Follow ${name}`,
   rooms: 'Rooms',
   inRoom: (sensors: number, people: number) =>
     `${sensors} ${sensors === 1 ? 'sensor' : 'sensors'}, ${people} ${people === 1 ? 'person' : 'people'}`,
@@ -186,11 +188,27 @@ export const panelTexts = {
     ['W A S D', 'walk (Shift: faster)'],
     ['arrows', 'turn, look up and down'],
     ['Q E', 'down, up'],
+    ['double click', 'go there'],
+    ['G', 'go to what is ahead'],
     ['R', 'back to the start'],
+    ['F', 'full screen'],
     ['1 finger', 'look around'],
     ['2 fingers', 'shift and zoom'],
+    ['double tap', 'go there'],
+    ['stick', 'walk'],
   ] as const,
   running: 'Running this room',
+};
+
+export const hintTexts = {
+  mouse: 'Drag to turn, scroll to come nearer, walk with W A S D or turn with the arrow keys. Double click to go there.',
+  touch: 'Drag with one finger to look around, walk with the stick. Double tap to go there.',
+};
+
+export const followTexts = {
+  following: (name: string) => `You see what ${name} sees.`,
+  stop: 'Stop (Esc)',
+  left: (name: string) => `${name} has left. You stay where you are.`,
 };
 
 export const viewTexts = {
@@ -200,6 +218,12 @@ export const viewTexts = {
   address: 'Address of this view',
   copied: 'Copied. The address opens this room where you are now.',
   copyByHand: 'Copy the address above: it opens this room where you are now.',
+  fullScreen: 'Full screen (F)',
+  leaveFullScreen: 'Leave full screen (F)',
+  noFullScreen: 'This browser does not let the page fill the screen.',
+  save: 'Save picture',
+  saved: (name: string) => `Saved as ${name}.`,
+  notSaved: 'No picture can be taken now: the room is not drawn on this screen.',
   omitsToken: 'Your token is not in it: whoever needs one to enter also needs a link of their own.',
 };
 

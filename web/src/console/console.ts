@@ -58,7 +58,9 @@ export class Console {
     this.close.addEventListener('click', () => this.setOpen(false));
     root.append(element('header', {}, element('h2', {}, texts.title), this.close), this.recording.root, this.tabs.root);
     root.addEventListener('keydown', (event) => {
-      if (event.key === 'Escape' && !event.defaultPrevented) this.setOpen(false);
+      if (event.key !== 'Escape' || event.defaultPrevented) return;
+      event.preventDefault(); // an Escape does one thing
+      this.setOpen(false);
     });
     this.setAdmin(false);
     this.setOpen(false);

@@ -11,6 +11,7 @@ import { element, setText } from './element';
 import { labelled, submit, textField } from './form';
 import { clockError, megabytes, milliseconds, perSecond } from './format';
 import { HeadsetControls, type HeadsetControlEvents } from './headset_controls';
+import { PeopleList } from './people_list';
 import { problems } from './problems';
 import { RadioGroup } from './radio_group';
 import { RoomList } from './room_list';
@@ -28,6 +29,8 @@ export interface PanelEvents {
   consoleWanted(): void;
   /** Returns why the token cannot be used, or nothing. */
   tokenGiven(token: string): string;
+  /** The button of this person was pressed. */
+  follow(viewer: number): void;
   view: ViewToolEvents;
   headset: HeadsetControlEvents;
 }
@@ -62,7 +65,8 @@ export class Panel {
   private readonly signIn = element('details', { class: 'help' }, element('summary', {}, texts.running), this.tokenForm);
   private readonly drawing = element('p', { class: 'drawing', hidden: '' });
   private readonly sensors: SensorList;
-  private readonly people = element('ul', { class: 'people' });
+  private readonly people: PeopleList;
+  private followed: number | undefined;
   private readonly rooms = new RoomList();
   private readonly roomChoice = section(texts.rooms, this.rooms.root);
   private readonly received = figure(texts.received);
@@ -78,6 +82,7 @@ export class Panel {
     private readonly events: PanelEvents,
   ) {
     this.sensors = new SensorList(state, (sensor, visible) => events.sensorSwitched(sensor, visible));
+    this.people = new PeopleList((viewer) => events.follow(viewer));
     this.tools = new ViewTools(events.view);
     this.headset = new HeadsetControls(events.headset);
     const modes = drawModes.map((value) => ({ value, ...texts.modes[value] }));
@@ -130,17 +135,18 @@ export class Panel {
   /** The roster has changed. */
   rebuild(): void {
     this.sensors.rebuild();
-    const self = this.state.welcome?.viewerId;
-    const viewers = (this.state.roster?.viewers ?? []).filter(({ relays }) => !relays); // other hubs are not people
-    const people = viewers.map((viewer) => {
-      const color = `#${viewer.colorRgb.toString(16).padStart(6, '0')}`;
-      const name = viewer.name || texts.person(viewer.id);
-      const swatch = element('span', { class: 'swatch round', 'aria-hidden': 'true' });
-      swatch.style.background = color;
-      return element('li', {}, swatch, viewer.id === self ? texts.you(name) : name);
-    });
-    this.people.replaceChildren(...people);
+    this.showPeople();
     this.refresh();
+  }
+
+  /** `followed` is the person whose view this page's goes along with. */
+  setFollowed(followed: number | undefined): void {
+    this.followed = followed;
+    this.showPeople();
+  }
+
+  private showPeople(): void {
+    this.people.show(this.state.roster?.viewers ?? [], this.state.welcome?.viewerId, this.followed);
   }
 
   refresh(): void {
@@ -183,7 +189,7 @@ export class Panel {
     this.body.append(
       figures,
       section(texts.sensors, this.sensors.root),
-      section(texts.people, this.people),
+      section(texts.people, this.people.root),
       this.roomChoice,
       section(texts.drawnAs, this.modes.root, this.drawing),
       section(viewTexts.title, this.tools.root),

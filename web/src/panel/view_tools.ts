@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one can do with one's own view: go back to the start, and give others an address that opens it.
+// What one can do with one's own view: go back to the start, give others an address that opens it, fill the screen with
+// it, save a picture of it.
 import { viewTexts as texts } from '../texts';
 import { element, setText } from './element';
 import { labelled, textField } from './form';
@@ -12,11 +13,16 @@ export interface SharedView {
 export interface ViewToolEvents {
   reset(): void;
   share(): SharedView;
+  /** A PNG of the view, and the name of its file; null where it cannot be drawn. */
+  picture(): Promise<{ png: Blob; name: string } | null>;
 }
+
+const download_ms = 60_000; // after that the browser has read the picture
 
 export class ViewTools {
   readonly root = element('div', { class: 'view-tools' });
   private readonly buttons = element('div', { class: 'buttons' });
+  private readonly full: HTMLButtonElement;
   private readonly said = element('p', { role: 'status' });
   private readonly address = textField(0);
   private readonly shared = labelled(texts.address, this.address);
@@ -28,6 +34,11 @@ export class ViewTools {
     this.shared.hidden = true;
     this.add(texts.reset, () => events.reset());
     this.add(texts.share, () => void this.share());
+    this.full = this.add(texts.fullScreen, () => void this.switchFullScreen());
+    this.full.hidden = !document.fullscreenEnabled;
+    this.add(texts.save, () => void this.save());
+    document.addEventListener('fullscreenchange', () => this.showFullScreen());
+    window.addEventListener('keydown', (event) => this.keyDown(event));
     this.root.append(this.buttons, this.shared, this.said);
   }
 
@@ -46,6 +57,38 @@ export class ViewTools {
     if (!copied) this.address.focus();
     setText(this.said, `${copied ? texts.copied : texts.copyByHand}${omitsToken ? ` ${texts.omitsToken}` : ''}`);
   }
+
+  private keyDown(event: KeyboardEvent): void {
+    const isForRoom = event.target instanceof Element && event.target.matches('body, canvas');
+    if (!isForRoom || event.code !== 'KeyF' || event.repeat) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || this.full.hidden) return;
+    event.preventDefault();
+    void this.switchFullScreen();
+  }
+
+  private async switchFullScreen(): Promise<void> {
+    try {
+      await (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen());
+    } catch {
+      setText(this.said, texts.noFullScreen);
+    }
+  }
+
+  private showFullScreen(): void {
+    setText(this.full, document.fullscreenElement ? texts.leaveFullScreen : texts.fullScreen);
+  }
+
+  private async save(): Promise<void> {
+    const picture = await this.events.picture();
+    if (picture) download(picture.png, picture.name);
+    setText(this.said, picture ? texts.saved(picture.name) : texts.notSaved);
+  }
+}
+
+function download(file: Blob, name: string): void {
+  const address = URL.createObjectURL(file);
+  element('a', { href: address, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(address), download_ms);
 }
 
 /** False where the browser does not permit it, as on pages that were not loaded over HTTPS. */

@@ -2,7 +2,7 @@
 // The keys that move the viewer while they are held: WASD walk, Q and E go down and up, the arrow keys turn the head.
 import { look, walk, type ViewState } from './view_state';
 
-const walkSpeed_mPerS = 1.4;
+export const walkSpeed_mPerS = 1.4;
 const turnSpeed_radPerS = 1.2;
 const runFactor = 2.5;
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mouse, touch and keyboard on the canvas -> changes of the view.
-//   mouse: left drag orbits, right or middle drag (or with Shift) pans, Ctrl drag turns the head, wheel zooms
-//   touch: one finger turns the head, two fingers pan and zoom
-//   keys: see motion_keys; Shift faster, R back to the start
-import type { Vector3 } from 'three';
-import { isMotionKey, movedByKeys } from './motion_keys';
-import { withinReach } from './view_limits';
-import { dolly, look, orbit, pan, pivot, type ViewState } from './view_state';
+//   mouse: left drag orbits, right or middle drag (or with Shift) pans, Ctrl drag turns the head, wheel zooms, a double
+//     click goes there
+//   touch: one finger turns the head, two fingers pan and zoom, a double tap goes there; the stick (walk_stick) walks
+//   keys: see motion_keys; Shift faster, R back to the start, G goes to what is in the middle
+import { DoubleTap } from './double_tap';
+import { Glide } from './going_there';
+import { isMotionKey, movedByKeys, walkSpeed_mPerS } from './motion_keys';
+import type { StickPush } from './stick_motion';
+import { reachAround, withinReach, type Reach } from './view_limits';
+import { dolly, look, orbit, pan, walk, type ViewState } from './view_state';
 
 const orbitPerPixel = 0.006;
 const lookPerPixel = 0.004;
@@ -21,13 +24,21 @@ interface Finger {
 
 export interface NavigationEvents {
   changed(view: ViewState): void;
+  /** The user moves the view: not another person, nor the page. */
+  moved(): void;
+  /** The user wants to go to what is at a pixel of the canvas. */
+  goThere(x: number, y: number): void;
   reset(): void;
 }
 
 export class Navigation {
   private readonly fingers = new Map<number, Finger>();
   private readonly held = new Set<string>();
-  private home: Vector3; // the pivot of the last view that was set from outside
+  private readonly taps = new DoubleTap();
+  private reach: Reach;
+  private roomsReach: Reach | undefined; // undefined while the room's size is not known
+  private glide: Glide | undefined;
+  private push: StickPush = { forward: 0, right: 0 };
   private running = false;
   private lastUpdate_ms: number | undefined;
 
@@ -36,10 +47,10 @@ export class Navigation {
     private view: ViewState,
     private readonly events: NavigationEvents,
   ) {
-    this.home = pivot(view);
+    this.reach = reachAround(view);
     canvas.addEventListener('pointerdown', (event) => this.down(event));
     canvas.addEventListener('pointermove', (event) => this.move(event));
-    canvas.addEventListener('pointerup', (event) => this.fingers.delete(event.pointerId));
+    canvas.addEventListener('pointerup', (event) => this.up(event));
     canvas.addEventListener('pointercancel', (event) => this.fingers.delete(event.pointerId));
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
@@ -52,14 +63,39 @@ export class Navigation {
     return this.view;
   }
 
+  /** At once. */
   set(view: ViewState): void {
-    this.home = pivot(view);
+    this.glide = undefined;
+    if (!this.roomsReach) this.reach = reachAround(view);
     this.show(view);
+  }
+
+  /** Smoothly, unless the user prefers less motion; as far as it is permitted. */
+  glideTo(view: ViewState): void {
+    const to = withinReach(view, this.reach);
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches) return this.set(to);
+    this.glide = new Glide(this.view, to);
+  }
+
+  /** The size of the room has become known, or has changed. */
+  setReach(reach: Reach): void {
+    this.reach = this.roomsReach = reach;
+  }
+
+  permitted(view: ViewState): ViewState {
+    return withinReach(view, this.reach);
+  }
+
+  /** Walks on until it is called with zeros. */
+  pushStick(push: StickPush): void {
+    this.push = push;
   }
 
   /** A step of the user's, as far as it is permitted. */
   private go(view: ViewState): void {
-    this.show(withinReach(view, this.home));
+    this.glide = undefined;
+    this.events.moved();
+    this.show(this.permitted(view));
   }
 
   private show(view: ViewState): void {
@@ -67,19 +103,43 @@ export class Navigation {
     this.events.changed(view);
   }
 
-  /** Continues moving while keys are pressed; call once per screen refresh. */
+  /** Continues moving while keys are pressed or the stick is pushed; call once per screen refresh. */
   update(now_ms: number): void {
     const seconds = Math.min(longestFrame_s, (now_ms - (this.lastUpdate_ms ?? now_ms)) / 1000);
     this.lastUpdate_ms = now_ms;
-    if (this.held.size === 0 || seconds === 0) return;
-    const moved = movedByKeys(this.view, this.held, seconds, this.running);
+    if (this.glide) this.glideOn(this.glide, now_ms);
+    if (seconds === 0) return;
+    const { forward, right } = this.push;
+    const step_m = seconds * walkSpeed_mPerS;
+    const walked = forward || right ? walk(this.view, forward * step_m, right * step_m, 0) : this.view;
+    const moved = movedByKeys(walked, this.held, seconds, this.running);
     if (moved !== this.view) this.go(moved);
+  }
+
+  private glideOn(glide: Glide, now_ms: number): void {
+    const { view, isOver } = glide.at(now_ms);
+    if (isOver) this.glide = undefined;
+    this.show(view);
   }
 
   private down(event: PointerEvent): void {
     this.canvas.setPointerCapture(event.pointerId);
     this.canvas.focus({ preventScroll: true });
     this.fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    if (this.fingers.size > 1 || event.button !== 0) this.taps.cancel();
+    else this.taps.down(event.clientX, event.clientY, event.timeStamp);
+  }
+
+  private up(event: PointerEvent): void {
+    this.fingers.delete(event.pointerId);
+    if (!this.taps.up(event.clientX, event.clientY, event.timeStamp)) return;
+    const { left, top } = this.canvas.getBoundingClientRect();
+    this.goThere(event.clientX - left, event.clientY - top);
+  }
+
+  private goThere(x: number, y: number): void {
+    this.events.moved();
+    this.events.goThere(Math.floor(x), Math.floor(y));
   }
 
   private move(event: PointerEvent): void {
@@ -102,7 +162,7 @@ export class Navigation {
     const now = this.fingers.get(id)!;
     const spread = (finger: Finger) => Math.max(20, Math.hypot(finger.x - other.x, finger.y - other.y));
     this.panBy(dx / 2, dy / 2);
-    this.go(dolly(this.view, spread(before) / spread(now)));
+    this.go(dolly(this.view, spread(before) / spread(now), this.reach.radius_m));
   }
 
   /** The point at the pivot follows the finger. */
@@ -114,13 +174,14 @@ export class Navigation {
   private wheel(event: WheelEvent): void {
     event.preventDefault();
     const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 * event.deltaY : event.deltaY;
-    this.go(dolly(this.view, Math.exp(Math.min(300, Math.max(-300, pixels)) * zoomPerWheelPixel)));
+    this.go(dolly(this.view, Math.exp(Math.min(300, Math.max(-300, pixels)) * zoomPerWheelPixel), this.reach.radius_m));
   }
 
   private keyDown(event: KeyboardEvent): void {
     if (!isForRoom(event) || event.ctrlKey || event.metaKey || event.altKey) return;
     this.running = event.shiftKey;
     if (event.code === 'KeyR') return this.events.reset();
+    if (event.code === 'KeyG' && !event.repeat) return this.goThere(this.canvas.clientWidth / 2, this.canvas.clientHeight / 2);
     if (!isMotionKey(event.code)) return;
     event.preventDefault();
     if (!event.repeat) this.go(movedByKeys(this.view, [event.code], tap_s, this.running));

@@ -61,7 +61,10 @@ export class SensorSurface {
     this.uniforms.uPixelsPerUnit!.value = pixels;
   }
 
-  /** Draws `id` (1 to 255) in the red channel instead of the picture; 0 draws the picture. */
+  /**
+   * Draws `id` (1 to 255) in the red channel instead of the picture, and the distance along the viewing direction in
+   * millimetres in green (high byte) and blue; 0 draws the picture.
+   */
   setId(id: number): void {
     this.uniforms.uId!.value = id;
   }

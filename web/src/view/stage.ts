@@ -109,6 +109,17 @@ export class Stage {
     this.touch();
   }
 
+  /**
+   * The room as a PNG of the canvas's size in device pixels, however coarsely it is drawn at the moment. Null where that
+   * is not possible: in a headset, without a graphics context.
+   */
+  async snapshot(): Promise<Blob | null> {
+    if (this.renderer.xr.isPresenting || this.renderer.getContext().isContextLost()) return null;
+    this.render(Math.min(highestPixelRatio, window.devicePixelRatio));
+    this.touch();
+    return new Promise((resolve) => this.canvas.toBlob(resolve, 'image/png')); // takes the pixels before it returns
+  }
+
   private restore(): void {
     this.room.restore();
     this.touch();
@@ -126,10 +137,7 @@ export class Stage {
     const withFrames = this.newFrames;
     const began_ms = performance.now();
     this.changed = this.newFrames = false;
-    this.fit();
-    const { width, height } = this.targetSize();
-    this.room.avatars.hideAt(this.camera.position);
-    this.room.render(this.camera, width, height);
+    this.render(this.ladder.quality.pixelRatio * Math.min(highestPixelRatio, window.devicePixelRatio));
     if (this.drawing) return this.finish(withFrames); // a headset does not wait; the picture in progress is measured
     this.drawing = true;
     whenDrawn(this.renderer.getContext() as WebGL2RenderingContext, () => {
@@ -141,15 +149,22 @@ export class Stage {
     });
   }
 
+  /** `ratio`: device pixels drawn for each CSS pixel. */
+  private render(ratio: number): void {
+    this.fit(ratio);
+    const { width, height } = this.targetSize();
+    this.room.avatars.hideAt(this.camera.position);
+    this.room.render(this.camera, width, height);
+  }
+
   private finish(withFrames: boolean): void {
     this.pictures++;
     this.events.drawn(withFrames);
   }
 
   /** Adapts canvas, camera and grids to the current size and quality. */
-  private fit(): void {
+  private fit(ratio: number): void {
     const { clientWidth: width, clientHeight: height } = this.canvas;
-    const ratio = this.ladder.quality.pixelRatio * Math.min(highestPixelRatio, window.devicePixelRatio);
     if (!this.renderer.xr.isPresenting) this.fitCanvas(width, height, ratio);
     const halfField = THREE.MathUtils.degToRad(verticalField_deg) / 2;
     const pixelsPerUnit = (this.targetSize().height || height * ratio) / (2 * Math.tan(halfField));

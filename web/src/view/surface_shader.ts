@@ -106,14 +106,15 @@ export const fragmentShader = /* glsl */ `${shared}
 uniform sampler2D uColor;    // alpha: 1 where the colour camera saw the surface
 uniform vec2 uSize;          // of the grid, pixels
 uniform float uLive;         // 1; 0 for the last picture of a sensor that is gone
-uniform float uId;           // > 0: draw this number instead of the picture
+uniform float uId;           // > 0: draw this number and the distance instead of the picture
 in vec2 vPixel;
 in vec3 vView;
 out vec4 outColor;
 
 void main() {
   if (uId > 0.0) {
-    outColor = vec4(uId / 255.0, 0.0, 0.0, 1.0);
+    float mm = clamp(round(1000.0 / gl_FragCoord.w), 0.0, 65535.0); // along the viewing direction
+    outColor = vec4(uId, floor(mm / 256.0), mod(mm, 256.0), 255.0) / 255.0;
     return;
   }
   vec4 seen = texture(uColor, (vPixel + 0.5) / uSize);

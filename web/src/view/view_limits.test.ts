@@ -2,12 +2,16 @@
 import { Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { dolly, lookFrom, lowestEye_m, orbit, pan, pivot, walk, type ViewState } from './view_state';
-import { farthest_m, withinReach } from './view_limits';
+import { most_m, reachAround, reachOf, withinReach } from './view_limits';
 
+const sensorAt = (x: number, z: number) => ({ worldFromDepth: [1, 0, 0, x, 0, 1, 0, 1, 0, 0, 1, z, 0, 0, 0, 1] });
 const start = lookFrom(new Vector3(1, 1.6, 3), new Vector3(0, 1, -1));
 
+const reach = reachAround(start);
+const farthest_m = reach.radius_m;
+
 function repeated(times: number, view: ViewState, step: (view: ViewState) => ViewState): ViewState {
-  for (let i = 0; i < times; i++) view = withinReach(step(view), pivot(start));
+  for (let i = 0; i < times; i++) view = withinReach(step(view), reach);
   return view;
 }
 
@@ -41,10 +45,27 @@ describe('the viewer stays where there is something to see', () => {
     }
   });
 
-  test('a view that is outside already may only come nearer', () => {
+  test('a view that is outside already is moved into it', () => {
     const outside = lookFrom(new Vector3(0, 1.6, 100), new Vector3(0, 1, 90));
-    expect(withinReach(outside, pivot(start)).position.z).toBeLessThan(farthest_m);
+    expect(withinReach(outside, reach).position.z).toBeLessThan(farthest_m);
     const under = lookFrom(new Vector3(0, -2, 3), new Vector3(0, 1, 0));
-    expect(withinReach(under, pivot(start)).position.y).toBe(lowestEye_m);
+    expect(withinReach(under, reach).position.y).toBe(lowestEye_m);
+  });
+
+  test('the limit follows the size of the room', () => {
+    expect(reachOf([])).toBeUndefined();
+    const small = reachOf([sensorAt(0, 0), sensorAt(2, 0)])!;
+    const hall = reachOf([sensorAt(-12, 0), sensorAt(12, 0), sensorAt(0, 20)])!;
+    expect(small.radius_m).toBeGreaterThanOrEqual(10);
+    expect(small.radius_m).toBeLessThan(20);
+    expect(hall.radius_m).toBeGreaterThan(40);
+    expect(hall.radius_m).toBeLessThanOrEqual(most_m);
+    expect(small.centre.distanceTo(new Vector3(0, 1, 0))).toBeLessThan(3);
+  });
+
+  test('a sensor that says that it is miles away does not take the room along', () => {
+    const { centre, radius_m } = reachOf([sensorAt(0, 0), sensorAt(2, 0), sensorAt(9000, 0)])!;
+    expect(centre.length()).toBeLessThan(4);
+    expect(radius_m).toBe(most_m);
   });
 });

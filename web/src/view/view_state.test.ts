@@ -2,6 +2,7 @@
 import { Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import {
+  between,
   direction,
   dolly,
   look,
@@ -67,6 +68,17 @@ describe('a view', () => {
     for (let i = 0; i < 60; i++) view = dolly(view, 0.8);
     expect(view.distance).toBeGreaterThan(0.2);
     expect(pivot(view).distanceTo(pivot(start))).toBeGreaterThan(0.5);
+  });
+
+  test('has others between itself and another one, turning the shorter way', () => {
+    const a = { position: new Vector3(0, 1, 0), yaw: 3, pitch: 0, distance: 1 };
+    const b = { position: new Vector3(2, 1, 0), yaw: -3, pitch: 0.4, distance: 3 };
+    const middle = between(a, b, 0.5);
+    expectClose(middle.position, new Vector3(1, 1, 0));
+    expect(middle.yaw).toBeCloseTo(Math.PI);
+    expect([middle.pitch, middle.distance]).toEqual([0.2, 2]);
+    expectClose(direction(between(a, b, 1)), direction(b));
+    expect(between(a, b, 0)).toEqual(a);
   });
 
   test('walks on the level even when it looks down', () => {

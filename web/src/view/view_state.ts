@@ -15,7 +15,7 @@ type Part = Record<'x' | 'y' | 'z' | 'qx' | 'qy' | 'qz' | 'qw', number>;
 export const maxPitch = 1.55; // a little less than straight up
 export const lowestEye_m = 0.1; // above the floor
 const minDistance_m = 0.3;
-const maxDistance_m = 25; // a room is still in view
+export const maxDistance_m = 25; // a room of unknown size is still in view
 
 function clamp(value: number, low: number, high: number): number {
   return Math.min(high, Math.max(low, value));
@@ -81,14 +81,25 @@ export function pan(view: ViewState, right_m: number, up_m: number): ViewState {
 }
 
 /**
- * Moves to `factor` times the distance from the pivot, no farther than the room is in view. At the minimum distance it
+ * Moves to `factor` times the distance from the pivot, at most to `most_m`, so that the room stays in view. At the minimum distance it
  * pushes the pivot ahead.
  */
-export function dolly(view: ViewState, factor: number): ViewState {
+export function dolly(view: ViewState, factor: number, most_m = maxDistance_m): ViewState {
   const wanted_m = view.distance * factor;
-  const distance = clamp(wanted_m, minDistance_m, maxDistance_m);
-  const forward_m = view.distance - Math.min(wanted_m, maxDistance_m);
+  const distance = clamp(wanted_m, minDistance_m, most_m);
+  const forward_m = view.distance - Math.min(wanted_m, most_m);
   return { ...view, distance, position: direction(view).multiplyScalar(forward_m).add(view.position) };
+}
+
+/** The view on the straight way from `a` to `b`, at `share` 0..1 of it; turns the shorter way round. */
+export function between(a: ViewState, b: ViewState, share: number): ViewState {
+  const turn = Math.atan2(Math.sin(b.yaw - a.yaw), Math.cos(b.yaw - a.yaw));
+  return {
+    position: a.position.clone().lerp(b.position, share),
+    yaw: a.yaw + share * turn,
+    pitch: a.pitch + share * (b.pitch - a.pitch),
+    distance: a.distance + share * (b.distance - a.distance),
+  };
 }
 
 /** Walks horizontally, and `up_m` vertically, whatever the pitch. Metres. */

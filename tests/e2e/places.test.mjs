@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where one stands in the room: shared addresses, the first minute, going to a place, following a person, and the same
+// with fingers on a phone. One room of one sensor for all.
+import assert from 'node:assert/strict';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { openPage, startBrowser } from './browser.mjs';
+import { adminsToken, requireBuilt, startHub, startSensor } from './programs.mjs';
+import { panelText, slow, stateOf, until, untilAllShown } from './waiting.mjs';
+
+const view = 'mode=mesh&at=0.2,1.7,2.6&look=0,0.9,-1';
+const viewOf = (page) => page.evaluate(() => window.roomcast.view());
+const distance = (a, b) => Math.hypot(...a.map((value, i) => value - b[i]));
+const data = mkdtempSync(join(tmpdir(), 'roomcast-places-'));
+let hub, sensor, browser, token;
+
+before(async () => {
+  requireBuilt();
+  hub = await startHub(0, { data });
+  token = await adminsToken(data);
+  sensor = startSensor(hub, 0, { fps: 3 });
+  browser = await startBrowser({ width: 1000, height: 640 });
+}, slow);
+
+after(async () => {
+  await browser?.end();
+  await sensor?.end();
+  await hub?.end();
+  rmSync(data, { recursive: true, force: true });
+}, slow);
+
+const open = (more = '') => openPage(browser.context, `${hub.page}?panel=1&${view}${more}`);
+const share = (page) => page.getByRole('button', { name: 'Share this view' }).click();
+const sharedBy = (page) => page.getByLabel('Address of this view').inputValue();
+
+describe('a shared view', () => {
+  test('opens where its owner stood, and tells nobody their token', slow, async () => {
+    const page = await open(`&name=Ada#token=${token}`);
+    await until('it is live', () => stateOf(page), ({ phase }) => phase === 'joined');
+    await page.evaluate(() => window.roomcast.setView([1, 1.5, 1.25], [0, 0.5, -2]));
+    await page.evaluate(() => window.roomcast.setMode('points'));
+    const there = await viewOf(page);
+    await browser.context.grantPermissions(['clipboard-read', 'clipboard-write'], { origin: hub.page });
+    await share(page);
+    const address = await sharedBy(page);
+    await until('it says so', () => panelText(page), (text) => /Copied.*Your token is not in it/.test(text));
+    assert.equal(await page.evaluate(() => navigator.clipboard.readText()), address);
+    assert.equal(address, `${hub.page}?room=room#at=1,1.5,1.25&look=0,0.5,-2&mode=points`);
+    assert.ok(!page.url().includes(token) && page.url().endsWith('#at=1,1.5,1.25&look=0,0.5,-2&mode=points'), page.url());
+
+    await page.reload();
+    await page.waitForFunction(() => window.roomcast !== undefined);
+    await page.getByRole('button', { name: 'Console', exact: true }).waitFor(); // the token was kept
+    assert.ok(distance((await viewOf(page)).position, there.position) < 2e-3, 'a reload stays there');
+    await page.close();
+
+    const other = await openPage(browser.context, address);
+    await untilAllShown(other, 1);
+    const seen = await viewOf(other);
+    assert.ok(distance(seen.position, there.position) < 2e-3 && Math.abs(seen.yaw - there.yaw) < 2e-3);
+    assert.equal(await other.locator('input[name=mode]:checked').inputValue(), 'points');
+    await other.getByRole('button', { name: 'Share this view' }).focus();
+    await other.keyboard.press('Enter');
+    await until('it says less', () => panelText(other), (text) => /Copied/.test(text) && !/token/.test(text));
+    await other.close();
+  });
+
+  test('that is opened in the same tab moves one there, and a token beside it is used and not lost', slow, async () => {
+    const page = await open();
+    await until('it is live', () => stateOf(page), ({ phase }) => phase === 'joined');
+    await page.evaluate(() => (location.hash = '#at=2,1.4,0&look=0,1,0&mode=points'));
+    await until('it is there', () => viewOf(page), ({ position }) => distance(position, [2, 1.4, 0]) < 1e-6);
+    await page.evaluate((secret) => (location.hash = `#at=1,1.4,0&look=0,1,0&token=${secret}`), token);
+    await page.waitForFunction(() => location.hash === '#at=1,1.4,0&look=0,1,0' && window.roomcast !== undefined);
+    await page.getByRole('button', { name: 'Console', exact: true }).waitFor();
+    assert.ok(distance((await viewOf(page)).position, [1, 1.4, 0]) < 1e-6);
+    await page.close();
+  });
+
+  test('that is broken or out of this world is ignored', slow, async () => {
+    for (const fragment of ['#at=NaN,1,1&look=0,0,0', '#at=1e300,1,1&look=0,0,0', '#at=1,2&look=0,0,0', '#%00%at']) {
+      const page = await open(fragment);
+      await until('it is live', () => stateOf(page), ({ phase }) => phase === 'joined');
+      assert.ok(distance((await viewOf(page)).position, [0.2, 1.7, 2.6]) < 1e-6, fragment);
+      assert.ok(!page.url().includes('#'), page.url());
+      assert.deepEqual(page.complaints, []);
+      await page.close();
+    }
+    const far = await open('#at=9000,-50,0&look=0,1,0');
+    await untilAllShown(far, 1);
+    const { position } = await viewOf(far);
+    assert.ok(distance(position, [0, 0, 0]) < 100 && position[1] >= 0.1, `brought back to the room: ${position}`);
+    await far.close();
+  });
+
+  test('can be copied by hand where the browser gives no clipboard', slow, async () => {
+    const page = await open();
+    await page.evaluate(() => Object.defineProperty(navigator, 'clipboard', { value: undefined }));
+    await share(page);
+    await until('it says so', () => panelText(page), (text) => /Copy the address above/.test(text));
+    const selected = await page.evaluate(() => {
+      const { value, selectionStart, selectionEnd } = document.activeElement;
+      return value.slice(selectionStart, selectionEnd);
+    });
+    assert.equal(selected, await sharedBy(page));
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+  });
+});
+
+describe('the first minute', () => {
+  test('says on the room how to move until one has, once a visit', slow, async () => {
+    const page = await open();
+    await untilAllShown(page, 1);
+    const hint = page.locator('#hint');
+    await hint.waitFor();
+    assert.match(await hint.innerText(), /Drag to turn.*W A S D/);
+    await page.mouse.move(700, 300);
+    await page.mouse.down();
+    await page.mouse.up();
+    assert.ok(await hint.isVisible(), 'a click does not move');
+    await page.keyboard.press('ArrowLeft');
+    await hint.waitFor({ state: 'hidden' });
+    await page.reload();
+    await page.waitForFunction(() => window.roomcast !== undefined);
+    await untilAllShown(page, 1);
+    await page.waitForTimeout(600);
+    assert.ok(await hint.isHidden(), 'it is remembered');
+    await page.close();
+  });
+
+  test('has the hint also where the browser keeps nothing', slow, async () => {
+    const page = await browser.context.newPage();
+    page.complaints = [];
+    page.on('pageerror', (error) => page.complaints.push(error.message));
+    await page.addInitScript(() => {
+      for (const name of ['localStorage', 'sessionStorage'])
+        Object.defineProperty(window, name, {
+          get() {
+            throw new DOMException('Access is denied for this document.', 'SecurityError');
+          },
+        });
+    });
+    await page.goto(`${hub.page}?panel=1&${view}`);
+    await page.locator('#hint').waitFor();
+    await page.locator('#room').focus();
+    await page.keyboard.press('KeyW');
+    await page.locator('#hint').waitFor({ state: 'hidden' });
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+  });
+});
+
+describe('going somewhere', () => {
+  test('a double click goes to the surface that is there, smoothly; G to what is ahead', slow, async () => {
+    const page = await open();
+    await untilAllShown(page, 1);
+    const start = await viewOf(page);
+    await page.evaluate(() => {
+      window.way = [];
+      setInterval(() => window.way.push(window.roomcast.view().position.join()), 10);
+    });
+    await page.mouse.dblclick(660, 300);
+    const there = await until('it has come nearer', () => viewOf(page), ({ position }) => distance(position, start.position) > 0.5);
+    assert.equal(there.position[1], start.position[1], 'the height stays');
+    await page.waitForTimeout(1200);
+    assert.ok((await page.evaluate(() => new Set(window.way).size)) > 2, 'there were places between');
+    await page.evaluate(() => window.roomcast.setView([0.2, 1.7, 2.6], [0, 0.9, -1]));
+    await page.keyboard.press('KeyG');
+    await until('it goes ahead', () => viewOf(page), ({ position }) => distance(position, start.position) > 0.5);
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+  });
+
+  test('is at once for those who prefer less motion', slow, async () => {
+    const page = await open();
+    await untilAllShown(page, 1);
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await page.evaluate(() => {
+      window.way = new Set();
+      const note = () => (window.way.add(window.roomcast.view().position.join()), requestAnimationFrame(note));
+      note();
+    });
+    await page.locator('#room').focus();
+    await page.keyboard.press('KeyG');
+    await page.waitForTimeout(800);
+    assert.equal(await page.evaluate(() => window.way.size), 2);
+    await page.close();
+  });
+
+  test('neither dragging nor zooming gets lost', slow, async () => {
+    const page = await open();
+    await untilAllShown(page, 1);
+    await page.mouse.move(700, 300);
+    for (let i = 0; i < 60; i++) await page.mouse.wheel(0, 300);
+    const { position } = await viewOf(page);
+    assert.ok(distance(position, [0, 1, 0]) < 40 && position[1] >= 0.1, `${position}`);
+    await page.close();
+  });
+});
+
+describe('one’s own view', () => {
+  test('fills the screen by button and by key', slow, async () => {
+    const page = await open();
+    await page.getByRole('button', { name: 'Full screen (F)', exact: true }).click();
+    await page.getByRole('button', { name: 'Leave full screen (F)' }).waitFor();
+    assert.ok(await page.evaluate(() => document.fullscreenElement !== null));
+    await page.locator('#room').focus();
+    await page.keyboard.press('KeyF');
+    await page.getByRole('button', { name: 'Full screen (F)', exact: true }).waitFor();
+    await page.close();
+  });
+
+  test('is saved as a PNG of the canvas’s size, with the date in its name', slow, async () => {
+    const page = await open();
+    await untilAllShown(page, 1);
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: 'Save picture' }).click(),
+    ]);
+    assert.match(download.suggestedFilename(), /^roomcast-room-20\d\d-\d\d-\d\d-\d\d-\d\d-\d\d\.png$/);
+    const file = readFileSync(await download.path());
+    assert.equal(file.subarray(1, 4).toString(), 'PNG');
+    assert.deepEqual([file.readUInt32BE(16), file.readUInt32BE(20)], [1000, 640]);
+    const facts = await page.evaluate(async (base64) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${base64}`;
+      const { data } = await image.decode().then(() => {
+        const paint = new OffscreenCanvas(image.width, image.height).getContext('2d');
+        paint.drawImage(image, 0, 0);
+        return paint.getImageData(0, 0, image.width, image.height);
+      });
+      return { colors: new Set(data).size, opaque: data.every((value, i) => i % 4 < 3 || value === 255) };
+    }, file.toString('base64'));
+    assert.ok(facts.colors > 50 && facts.opaque, JSON.stringify(facts));
+    assert.match(await panelText(page), /Saved as roomcast-room-/);
+    await page.close();
+  });
+});
+
+describe('following a person', () => {
+  let ada, bob;
+  const follow = () => ada.getByRole('button', { name: 'Follow Bob' });
+  const isBeside = async () => distance((await viewOf(ada)).position, (await viewOf(bob)).position);
+  before(async () => {
+    ada = await open('&name=Ada');
+    bob = await open('&name=Bob');
+    await untilAllShown(ada, 1);
+    await follow().waitFor();
+  }, slow);
+  after(() => Promise.all([ada?.close(), bob?.close()]));
+
+  test('moves one’s view with theirs until one moves', slow, async () => {
+    await follow().click();
+    assert.equal(await follow().getAttribute('aria-pressed'), 'true');
+    await ada.getByText('You see what Bob sees.').waitFor();
+    for (const at of [[1, 1.6, 1], [-1, 1.4, 1.5]]) {
+      await bob.evaluate((place) => window.roomcast.setView(place, [0, 1, -1]), at);
+      await until('it is with Bob', isBeside, (apart) => apart < 0.01);
+    }
+    await ada.locator('#room').focus();
+    await ada.keyboard.press('KeyS');
+    await ada.getByText('You see what Bob sees.').waitFor({ state: 'hidden' });
+    assert.equal(await follow().getAttribute('aria-pressed'), 'false');
+    const stays = await viewOf(ada);
+    await bob.evaluate(() => window.roomcast.setView([1, 1.6, 1], [0, 1, -1]));
+    await ada.waitForTimeout(600);
+    assert.deepEqual(await viewOf(ada), stays);
+  });
+
+  test('ends by Escape and by its button', slow, async () => {
+    await follow().focus();
+    await ada.keyboard.press('Enter');
+    await ada.getByText('You see what Bob sees.').waitFor();
+    await ada.keyboard.press('Escape');
+    await ada.getByText('You see what Bob sees.').waitFor({ state: 'hidden' });
+    assert.equal(await ada.evaluate(() => document.activeElement.getAttribute('aria-label')), 'Follow Bob');
+    await follow().click();
+    await ada.getByRole('button', { name: 'Stop (Esc)' }).click();
+    await ada.getByText('You see what Bob sees.').waitFor({ state: 'hidden' });
+  });
+
+  test('keeps the focus while others come, and ends with a sentence when the person leaves', slow, async () => {
+    await follow().focus();
+    await ada.keyboard.press('Enter');
+    const eve = await open('&name=Eve');
+    await ada.getByRole('button', { name: 'Follow Eve' }).waitFor();
+    assert.equal(await ada.evaluate(() => document.activeElement.getAttribute('aria-label')), 'Follow Bob');
+    await bob.close();
+    await ada.getByText('Bob has left. You stay where you are.').waitFor();
+    await eve.close();
+    assert.deepEqual(ada.complaints, []);
+  });
+});
+
+describe('a phone', () => {
+  let phone, page;
+  before(async () => {
+    phone = await startBrowser({ width: 390, height: 844, phone: true });
+    page = await openPage(phone.context, `${hub.page}?panel=0&${view}`);
+    await untilAllShown(page, 1);
+  }, slow);
+  after(() => phone?.end());
+  const fingers = async () => {
+    const screen = await phone.context.newCDPSession(page);
+    return (type, ...places) =>
+      screen.send('Input.dispatchTouchEvent', { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
+  };
+  const middleOf = async (selector) => {
+    const { x, y, width, height } = await page.locator(selector).boundingBox();
+    return [x + width / 2, y + height / 2];
+  };
+
+  test('has a hint for fingers and a stick that walks until it is let go, while another finger looks around', slow, async () => {
+    assert.match(await page.locator('#hint').innerText(), /one finger.*stick/);
+    const touch = await fingers();
+    const [x, y] = await middleOf('#stick');
+    const start = await viewOf(page);
+    await touch('touchStart', [x, y]);
+    await touch('touchMove', [x, y - 60]);
+    await until('it walks', () => viewOf(page), ({ position }) => distance(position, start.position) > 0.3);
+    const ahead = await viewOf(page);
+    assert.equal(ahead.position[1], start.position[1]);
+    await touch('touchStart', [x, y - 60], [150, 300]);
+    await touch('touchMove', [x, y - 60], [230, 300]);
+    await until('it turns as well', () => viewOf(page), ({ yaw }) => Math.abs(yaw - ahead.yaw) > 0.1);
+    await touch('touchEnd');
+    await until('it stops', async () => {
+      const before = await viewOf(page);
+      await page.waitForTimeout(150);
+      return distance((await viewOf(page)).position, before.position);
+    }, (moved) => moved < 1e-9);
+    assert.ok(await page.locator('#hint').isHidden());
+    assert.deepEqual(page.complaints, []);
+  });
+
+  test('goes to a place by a double tap', slow, async () => {
+    await page.evaluate(() => window.roomcast.setView([0.2, 1.7, 2.6], [0, 0.9, -1]));
+    await page.touchscreen.tap(195, 330);
+    await page.touchscreen.tap(195, 330);
+    await until('it has come nearer', () => viewOf(page), ({ position }) => distance(position, [0.2, 1.7, 2.6]) > 0.5);
+  });
+
+  test('has the stick out of the way of an open panel, with which one can share and follow', slow, async () => {
+    await page.getByRole('button', { name: 'Open the panel' }).click();
+    assert.ok(await page.locator('#stick').isHidden());
+    await page.getByRole('button', { name: 'Share this view' }).scrollIntoViewIfNeeded();
+    assert.ok(await page.getByRole('button', { name: 'Share this view' }).isVisible());
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'nothing sticks out');
+  });
+});

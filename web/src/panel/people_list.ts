@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The people in the panel: name and colour, and a button to see what somebody sees.
+import type { ViewerEntry } from '../gen/control_pb';
+import { panelTexts as texts } from '../texts';
+import { element, setText } from './element';
+import { KeyedList, type Row } from './keyed_list';
+
+interface Person {
+  viewer: ViewerEntry;
+  isSelf: boolean;
+  isFollowed: boolean;
+}
+
+export function nameOf({ id, name }: Pick<ViewerEntry, 'id' | 'name'>): string {
+  return name || texts.person(id);
+}
+
+export class PeopleList {
+  readonly root = element('ul', { class: 'people' });
+  private readonly list = new KeyedList<Person>(this.root, ({ viewer }) => String(viewer.id), (person) => this.row(person));
+
+  /** `follow` is called with the id of a person whose button was pressed, also to stop. */
+  constructor(private readonly follow: (viewer: number) => void) {}
+
+  show(viewers: readonly ViewerEntry[], self: number | undefined, followed: number | undefined): void {
+    const people = viewers.filter(({ relays }) => !relays); // other hubs are not people
+    this.list.show(
+      people.map((viewer) => ({ viewer, isSelf: viewer.id === self, isFollowed: viewer.id === followed })),
+    );
+  }
+
+  private row({ viewer: { id } }: Person): Row<Person> {
+    const swatch = element('span', { class: 'swatch round', 'aria-hidden': 'true' });
+    const name = element('span', { class: 'name' });
+    const button = element('button', { type: 'button', class: 'plain follow' }, texts.follow);
+    button.addEventListener('click', () => this.follow(id));
+    const update = ({ viewer, isSelf, isFollowed }: Person) => {
+      swatch.style.background = `#${viewer.colorRgb.toString(16).padStart(6, '0')}`;
+      setText(name, isSelf ? texts.you(nameOf(viewer)) : nameOf(viewer));
+      button.hidden = isSelf;
+      button.setAttribute('aria-label', texts.followWhom(nameOf(viewer)));
+      button.setAttribute('aria-pressed', String(isFollowed));
+    };
+    return { root: element('li', {}, swatch, name, button), update };
+  }
+}
