@@ -2,27 +2,16 @@
 // An admin's use of the console, and its accessibility for users of a keyboard or a screen reader (axe).
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
-import { createRequire } from 'node:module';
+import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
+import { seriousFindings } from './accessibility.mjs';
 import { openPage, startBrowser } from './browser.mjs';
 import { adminsToken, binary, requireBuilt, startHub, startSensor } from './programs.mjs';
 import { slow, until, untilAllShown } from './waiting.mjs';
 
-const axe = createRequire(new URL('../../web/package.json', import.meta.url)).resolve('axe-core/axe.min.js');
-const axeSource = readFileSync(axe, 'utf8');
 const view = 'panel=1&mode=points&at=0.2,1.7,2.6&look=0,0.9,-1';
-
-/** The accessibility problems found by axe that are serious or critical. */
-async function seriousFindings(page) {
-  await page.evaluate(axeSource);
-  const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
-  return violations
-    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
-    .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' | ')}`);
-}
 
 describe('the console', () => {
   const data = mkdtempSync(join(tmpdir(), 'roomcast-console-'));

@@ -3,9 +3,11 @@
 // with fingers on a phone. One room of one sensor for all.
 import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { get } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
+import { seriousFindings } from './accessibility.mjs';
 import { openPage, startBrowser } from './browser.mjs';
 import { adminsToken, requireBuilt, startHub, startSensor } from './programs.mjs';
 import { panelText, slow, stateOf, until, untilAllShown } from './waiting.mjs';
@@ -32,6 +34,17 @@ after(async () => {
 }, slow);
 
 const open = (more = '') => openPage(browser.context, `${hub.page}?panel=1&${view}${more}`);
+/** Bytes of a file as a browser gets it, compressed. */
+function packedSize(url) {
+  return new Promise((resolve, reject) => {
+    get(url, { headers: { 'accept-encoding': 'gzip' } }, async (response) => {
+      let size = 0;
+      for await (const piece of response) size += piece.length;
+      resolve(size);
+    }).on('error', reject);
+  });
+}
+
 const share = (page) => page.getByRole('button', { name: 'Share this view' }).click();
 const sharedBy = (page) => page.getByLabel('Address of this view').inputValue();
 
@@ -117,6 +130,7 @@ describe('the first minute', () => {
     const hint = page.locator('#hint');
     await hint.waitFor();
     assert.match(await hint.innerText(), /Drag to turn.*W A S D/);
+    assert.deepEqual(await seriousFindings(page), []);
     await page.mouse.move(700, 300);
     await page.mouse.down();
     await page.mouse.up();
@@ -256,6 +270,7 @@ describe('following a person', () => {
     await follow().click();
     assert.equal(await follow().getAttribute('aria-pressed'), 'true');
     await ada.getByText('You see what Bob sees.').waitFor();
+    assert.deepEqual(await seriousFindings(ada), []);
     for (const at of [[1, 1.6, 1], [-1, 1.4, 1.5]]) {
       await bob.evaluate((place) => window.roomcast.setView(place, [0, 1, -1]), at);
       await until('it is with Bob', isBeside, (apart) => apart < 0.01);
@@ -293,6 +308,51 @@ describe('following a person', () => {
     await eve.close();
     assert.deepEqual(ada.complaints, []);
   });
+});
+
+describe('the map', () => {
+  test('shows sensors and people from above, and a click goes there', slow, async () => {
+    const page = await open('&name=Ada');
+    const other = await openPage(browser.context, `${hub.page}?panel=0&name=Bob&at=0.5,1.6,1&look=0,1,-1`);
+    await untilAllShown(page, 1);
+    const map = page.getByRole('img', { name: /The room from above: 1 sensor, another person, and you/ });
+    await map.waitFor();
+    assert.deepEqual(await map.locator('.person title, .self title').allTextContents(), ['Bob', 'you']);
+    const place = (selector) =>
+      map.locator(selector).evaluate((drop) => /translate\(([-\d.]+) ([-\d.]+)\)/.exec(drop.getAttribute('transform')).slice(1).map(Number));
+    const [x, z] = await place('.person');
+    assert.ok(Math.hypot(x - 0.5, z - 1) < 0.02, `Bob at ${x}, ${z}`);
+    const { left, top } = await map.locator('.person').evaluate((drop) => {
+      const { e, f } = drop.getScreenCTM();
+      return { left: e, top: f };
+    });
+    const before = await viewOf(page);
+    await page.mouse.click(left, top);
+    const there = await until('it is with Bob', () => viewOf(page), ({ position }) => Math.hypot(position[0] - 0.5, position[2] - 1) < 0.1);
+    assert.deepEqual([there.position[1], there.yaw, there.pitch], [before.position[1], before.yaw, before.pitch]);
+    await until('the map follows', () => place('.self'), ([mine]) => Math.abs(mine - there.position[0]) < 0.02);
+    assert.deepEqual(await seriousFindings(page), []);
+    assert.deepEqual(page.complaints, []);
+    await other.close();
+    await page.getByRole('img', { name: /no other people/ }).waitFor();
+    await page.close();
+  });
+});
+
+test('the first visit loads at most 270 kB', slow, async () => {
+  const { context, end } = await startBrowser();
+  const page = await context.newPage();
+  const files = [];
+  context.on('response', (response) => files.push(response.url()));
+  await page.goto(`${hub.page}?panel=1`);
+  await page.waitForFunction(() => window.roomcast !== undefined);
+  await untilAllShown(page, 1);
+  const loaded = [...new Set(files)].filter((url) => !url.startsWith('data:'));
+  assert.ok(loaded.some((url) => /worker-.*\.js/.test(url)) && loaded.some((url) => /codec-.*\.wasm/.test(url)), loaded.join());
+  const bytes = await Promise.all(loaded.map(packedSize));
+  const total = bytes.reduce((sum, size) => sum + size, 0);
+  assert.ok(total > 100_000 && total <= 270_000, `${total} bytes: ${loaded.map((url, i) => `${url} ${bytes[i]}`).join(', ')}`);
+  await end();
 });
 
 describe('a phone', () => {
@@ -333,6 +393,7 @@ describe('a phone', () => {
       return distance((await viewOf(page)).position, before.position);
     }, (moved) => moved < 1e-9);
     assert.ok(await page.locator('#hint').isHidden());
+    assert.deepEqual(await seriousFindings(page), []);
     assert.deepEqual(page.complaints, []);
   });
 

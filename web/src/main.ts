@@ -64,6 +64,7 @@ class Page {
       consoleWanted: () => this.console.setOpen(!this.console.open),
       tokenGiven: (token) => this.comeBackWith(token),
       follow: (viewer) => !this.headset.isOn && this.standpoint.follow.toggle(viewer),
+      goTo: (x, z) => this.standpoint.goTo(x, z),
       view: {
         reset: () => this.standpoint.goToStart(),
         share: () => ({ address: this.standpoint.share(), omitsToken: this.access.token !== '' }),
@@ -306,6 +307,7 @@ class Page {
     if (room) this.panel.showDrawing({ mode: room.drawMode, mixes: room.isMixing, ...room.sensorCounts });
     this.panel.refresh();
     this.progress.refresh();
+    if (this.standpoint) this.panel.showMap(this.standpoint.current);
     this.standpoint?.offerHint(this.state.shownSets > 0);
   }
 

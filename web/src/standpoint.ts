@@ -88,6 +88,13 @@ export class Standpoint {
     this.navigation.set(this.navigation.permitted(this.start() ?? fallbackView));
   }
 
+  /** Smoothly to a place; height and direction stay. */
+  goTo(x: number, z: number): void {
+    this.moved();
+    const { position } = this.current;
+    this.navigation.glideTo({ ...this.current, position: position.clone().setX(x).setZ(z) });
+  }
+
   /** Call once per screen refresh. */
   update(now_ms: number): void {
     this.navigation.update(now_ms);

@@ -211,9 +211,18 @@ export const followTexts = {
   left: (name: string) => `${name} has left. You stay where you are.`,
 };
 
+export const mapTexts = {
+  title: 'From above',
+  you: 'you',
+  help: 'Click to go there.',
+  label: (sensors: number, people: number) =>
+    `The room from above: ${sensors} ${sensors === 1 ? 'sensor' : 'sensors'}, ` +
+    `${people === 0 ? 'no other people' : people === 1 ? 'another person' : `${people} other people`}, and you`,
+};
+
 export const viewTexts = {
   title: 'Your view',
-  reset: 'Back to the start (R)',
+  reset: 'To the start (R)',
   share: 'Share this view',
   address: 'Address of this view',
   copied: 'Copied. The address opens this room where you are now.',

@@ -5,10 +5,10 @@ import { isDoubtful } from '../panel/placement_tag';
 import type { RoomSensor } from '../room_roster';
 import { consoleTexts as texts } from '../texts';
 import { sensorColor } from '../view/sensor_color';
+import { spotOf, wedge, type Spot } from '../panel/sensor_wedge';
 import { svg } from '../panel/svg';
 import type { Pair } from './pair_watch';
 
-const wedge_m = 1.6;
 const margin_m = 0.7;
 const goodGap_mm = 15;
 const fairGap_mm = 35;
@@ -16,34 +16,6 @@ const fairGap_mm = 35;
 export function gapGrade(gap_mm: number): 'good' | 'fair' | 'poor' {
   if (gap_mm <= goodGap_mm) return 'good';
   return gap_mm <= fairGap_mm ? 'fair' : 'poor';
-}
-
-interface Spot {
-  entry: RoomSensor;
-  x: number; // metres, to the right in the map
-  y: number; // down in the map: the world's z
-  heading: number; // radians, 0 to the right, clockwise as in SVG
-}
-
-function spotOf(entry: RoomSensor): Spot {
-  const m = entry.pose.worldFromDepth;
-  return { entry, x: m[3]!, y: m[11]!, heading: Math.atan2(m[10]!, m[2]!) };
-}
-
-function wedge({ entry, x, y, heading }: Spot): SVGElement {
-  const { width, fx } = entry.calibration!.depth!;
-  const half = Math.atan(width / 2 / fx);
-  const corner = (angle: number) =>
-    `${(x + wedge_m * Math.cos(angle)).toFixed(3)} ${(y + wedge_m * Math.sin(angle)).toFixed(3)}`;
-  const color = sensorColor(entry.id);
-  const d = `M${x} ${y}L${corner(heading - half)}A${wedge_m} ${wedge_m} 0 0 1 ${corner(heading + half)}Z`;
-  return svg('path', {
-    d,
-    fill: color,
-    'fill-opacity': entry.online ? 0.16 : 0.05,
-    stroke: color,
-    'stroke-width': 0.02,
-  });
 }
 
 function label(text: string, x: number, y: number, className: string): SVGElement {

@@ -4,13 +4,15 @@
 import type { HubRoom } from '../console/hub_api';
 import { themes, type Theme } from '../look';
 import type { RoomState } from '../room_state';
-import { consoleTexts, headsetTexts, panelTexts as texts, viewTexts } from '../texts';
+import { consoleTexts, headsetTexts, mapTexts, panelTexts as texts, viewTexts } from '../texts';
 import { drawModes, type DrawMode } from '../view/draw_mode';
+import type { ViewState } from '../view/view_state';
 import { drawingNote, type Drawing } from './drawing_note';
 import { element, setText } from './element';
 import { labelled, submit, textField } from './form';
 import { clockError, megabytes, milliseconds, perSecond } from './format';
 import { HeadsetControls, type HeadsetControlEvents } from './headset_controls';
+import { MiniMap } from './mini_map';
 import { PeopleList } from './people_list';
 import { problems } from './problems';
 import { RadioGroup } from './radio_group';
@@ -31,6 +33,8 @@ export interface PanelEvents {
   tokenGiven(token: string): string;
   /** The button of this person was pressed. */
   follow(viewer: number): void;
+  /** To a place that was clicked on the map: the world's x and z, metres. */
+  goTo(x: number, z: number): void;
   view: ViewToolEvents;
   headset: HeadsetControlEvents;
 }
@@ -66,6 +70,8 @@ export class Panel {
   private readonly drawing = element('p', { class: 'drawing', hidden: '' });
   private readonly sensors: SensorList;
   private readonly people: PeopleList;
+  private readonly map: MiniMap;
+  private readonly mapSection: HTMLElement;
   private followed: number | undefined;
   private readonly rooms = new RoomList();
   private readonly roomChoice = section(texts.rooms, this.rooms.root);
@@ -83,6 +89,9 @@ export class Panel {
   ) {
     this.sensors = new SensorList(state, (sensor, visible) => events.sensorSwitched(sensor, visible));
     this.people = new PeopleList((viewer) => events.follow(viewer));
+    this.map = new MiniMap(state, (x, z) => events.goTo(x, z));
+    this.mapSection = section(mapTexts.title, this.map.root);
+    this.mapSection.title = mapTexts.help;
     this.tools = new ViewTools(events.view);
     this.headset = new HeadsetControls(events.headset);
     const modes = drawModes.map((value) => ({ value, ...texts.modes[value] }));
@@ -167,6 +176,12 @@ export class Panel {
     this.showWays();
   }
 
+  /** `view` is this page's own. */
+  showMap(view: ViewState): void {
+    this.map.show(view);
+    this.mapSection.hidden = this.map.root.hidden;
+  }
+
   showDrawing(drawing: Drawing): void {
     setText(this.drawing, drawingNote(drawing));
     this.drawing.hidden = this.drawing.textContent === '';
@@ -190,6 +205,7 @@ export class Panel {
       figures,
       section(texts.sensors, this.sensors.root),
       section(texts.people, this.people.root),
+      this.mapSection,
       this.roomChoice,
       section(texts.drawnAs, this.modes.root, this.drawing),
       section(viewTexts.title, this.tools.root),

@@ -22,8 +22,8 @@ export function reachAround(view: ViewState): Reach {
 }
 
 /** The middle of the sorted values: a single sensor at an absurd place does not move it. */
-function median(values: number[]): number {
-  return values.sort((a, b) => a - b)[(values.length - 1) >> 1]!;
+export function median(values: readonly number[]): number {
+  return [...values].sort((a, b) => a - b)[(values.length - 1) >> 1]!;
 }
 
 /** Undefined without sensors. */
