@@ -4,15 +4,15 @@
 import type { Pose } from '../gen/control_pb';
 import type { RoomState } from '../room_state';
 import { mapTexts as texts } from '../texts';
-import { insideFrame, mapFrame, type MapFrame, type MapPoint } from '../view/map_frame';
+import { insideFrame, mapFrame, stretched, type MapFrame, type MapPoint } from '../view/map_frame';
 import { sensorColor } from '../view/sensor_color';
 import { direction, viewFromBody, type ViewState } from '../view/view_state';
 import { nameOf } from './people_list';
-import { spotOf, wedge } from './sensor_wedge';
+import { spotOf, wedge, type Spot } from './sensor_wedge';
 import { svg } from './svg';
 import { element } from './element';
 
-const reach_m = 3; // of what a sensor looks at, usually to the end of the room
+const reach_m = 2.5; // of what a sensor looks at, to about the middle of the room
 const bodyShare = 0.028; // size of a person, of the map's width
 
 interface Person {
@@ -35,29 +35,32 @@ export class MiniMap {
     this.map.addEventListener('click', (event) => this.clicked(event));
   }
 
-  /** `self` is this page's view; undefined while it is not known. Draws only what has changed, and only when visible. */
-  show(self: ViewState | undefined): void {
+  /** `self` is this page's view. Draws only what has changed, and only when visible. */
+  show(self: ViewState): void {
     const entries = this.state.roster?.sensors ?? [];
     const spots = entries.map(spotOf);
-    this.frame = mapFrame(spots.flatMap(({ x, y, heading }) => [{ x, y }, ahead({ x, y }, heading)]));
-    this.root.hidden = this.frame === undefined;
-    if (!this.frame || !this.root.checkVisibility()) return;
+    const room = mapFrame(spots.flatMap(({ x, y, heading }) => [{ x, y }, ahead({ x, y }, heading)]));
+    this.root.hidden = room === undefined;
+    if (!room || !this.root.checkVisibility()) return;
     const people = this.people();
-    const size = bodyShare * this.frame.width;
-    const parts = [
+    const frame = stretched(room, [...people.map(({ view }) => view), self].map(standing));
+    this.frame = frame;
+    const size = bodyShare * frame.width;
+    this.draw(frame, texts.label(entries.length, people.length), [
       ...spots.map(wedge),
-      ...spots.map(({ x, y, entry }) =>
-        named(svg('circle', { cx: x, cy: y, r: size / 2, fill: sensorColor(entry.id) }), entry.name),
-      ),
-      ...people.map((person) => body(person, this.frame!, size, 'person')),
-      ...(self ? [body({ name: texts.you, color: 'currentColor', view: self }, this.frame, size, 'self')] : []),
-    ];
-    const drawing = parts.map(({ outerHTML }) => outerHTML).join('');
+      ...spots.map((spot) => camera(spot, size)),
+      ...people.map((person) => body(person, frame, size, 'person')),
+      body({ name: texts.you, color: 'currentColor', view: self }, frame, size, 'self'),
+    ]);
+  }
+
+  private draw({ left, top, width, height }: MapFrame, label: string, parts: SVGElement[]): void {
+    const viewBox = `${left} ${top} ${width} ${height}`;
+    const drawing = [viewBox, label, ...parts.map(({ outerHTML }) => outerHTML)].join('');
     if (drawing === this.drawn) return;
     this.drawn = drawing;
-    const { left, top, width, height } = this.frame;
-    this.map.setAttribute('viewBox', `${left} ${top} ${width} ${height}`);
-    this.map.setAttribute('aria-label', texts.label(entries.length, people.length));
+    this.map.setAttribute('viewBox', viewBox);
+    this.map.setAttribute('aria-label', label);
     this.map.replaceChildren(...parts);
   }
 
@@ -79,13 +82,21 @@ export class MiniMap {
   }
 }
 
+function standing({ position }: Pick<ViewState, 'position'>): MapPoint {
+  return { x: position.x, y: position.z };
+}
+
 function ahead({ x, y }: MapPoint, heading: number): MapPoint {
   return { x: x + reach_m * Math.cos(heading), y: y + reach_m * Math.sin(heading) };
 }
 
+function camera({ entry, x, y }: Spot, size: number): SVGElement {
+  return named(svg('circle', { cx: x, cy: y, r: size / 2, fill: sensorColor(entry.id) }), entry.name);
+}
+
 /** A drop whose tip points where the person looks. */
 function body({ name, color, view }: Person, frame: MapFrame, size: number, className: string): SVGElement {
-  const { x, y } = insideFrame({ x: view.position.x, y: view.position.z }, frame, size);
+  const { x, y } = insideFrame(standing(view), frame, size);
   const gaze = direction({ yaw: view.yaw, pitch: 0 });
   const turn = (Math.atan2(gaze.z, gaze.x) * 180) / Math.PI;
   const drop = svg('path', {

@@ -6,6 +6,7 @@ import { median } from './view_limits';
 const margin_m = 1;
 const farthest_m = 40; // from the middle: a sensor at an absurd place does not shrink the room to a dot
 const least_m = 4;
+const besideRoom_m = 3; // how far the map is stretched for people
 
 export interface MapFrame {
   left: number;
@@ -33,7 +34,16 @@ export function mapFrame(points: readonly MapPoint[]): MapFrame | undefined {
   return { left: across.from, top: down.from, width: across.size, height: down.size };
 }
 
-/** The point, or the nearest one at the map's edge. */
+/** With the people as well, as far as they stand near the room; in whole metres, so that the map does not tremble. */
+export function stretched(frame: MapFrame, people: readonly MapPoint[]): MapFrame {
+  const near = people.map((point) => insideFrame(point, frame, -besideRoom_m));
+  const xs = [frame.left, frame.left + frame.width, ...near.map(({ x }) => x)];
+  const ys = [frame.top, frame.top + frame.height, ...near.map(({ y }) => y)];
+  const [left, top] = [Math.floor(Math.min(...xs)), Math.floor(Math.min(...ys))];
+  return { left, top, width: Math.ceil(Math.max(...xs)) - left, height: Math.ceil(Math.max(...ys)) - top };
+}
+
+/** The point, or the nearest one `edge` metres within the map's edge. */
 export function insideFrame({ x, y }: MapPoint, { left, top, width, height }: MapFrame, edge = 0): MapPoint {
   const clamp = (value: number, low: number, size: number) =>
     Math.min(low + size - edge, Math.max(low + edge, value));
