@@ -2,9 +2,10 @@
 // Wires the page together: worker -> state -> stage and panel; navigation and headset -> stage and hub.
 import './theme.css';
 import { accessTo, readAccess, rememberAccess, type Access } from './access';
-import { Console } from './console/console';
+import type { Console } from './console/console';
 import { HubApi } from './console/hub_api';
 import type { Welcome } from './gen/control_pb';
+import { LazyConsole } from './lazy_console';
 import { Look } from './look';
 import { bodyOf, PosePublisher } from './pose_publisher';
 import { parseOptions, socketUrl, type PageOptions } from './page_options';
@@ -39,7 +40,7 @@ class Page {
   private readonly state = new RoomState();
   private readonly panel: Panel;
   private readonly progress: Progress;
-  private readonly console: Console;
+  private readonly console: LazyConsole;
   private readonly api: HubApi;
   private readonly look: Look;
   private readonly posePublisher: PosePublisher;
@@ -61,7 +62,7 @@ class Page {
       modeChosen: (mode) => this.setMode(mode),
       sensorSwitched: (sensor, visible) => this.stage.setVisible(sensor, visible),
       themeChosen: (theme) => this.look.choose(theme),
-      consoleWanted: () => this.console.setOpen(!this.console.open),
+      consoleWanted: () => void this.tryConsole(this.console.toggle()),
       tokenGiven: (token) => this.comeBackWith(token),
       follow: (viewer) => !this.headset.isOn && this.standpoint.follow.toggle(viewer),
       goTo: (x, z) => this.standpoint.goTo(x, z),
@@ -77,10 +78,7 @@ class Page {
     });
     this.progress = new Progress(document.getElementById('progress')!, this.state);
     this.api = new HubApi(() => this.access.token);
-    this.console = new Console(document.getElementById('console')!, this.state, this.api, hubAddress, {
-      closed: () => this.panel.focusConsole(),
-      nudge: this.nudgeEvents(),
-    });
+    this.console = new LazyConsole(() => this.loadConsole(hubAddress));
     this.stage = this.openStage();
     this.headset = this.makeHeadset();
     this.look = new Look((isLight) => this.stage.setBackground(isLight ? lightBackground : darkBackground));
@@ -225,12 +223,25 @@ class Page {
     this.tellPosePublisher();
   }
 
-  /** For users who may place sensors, and for admins. */
+  /** For users who may place sensors, and for admins: those to whom the hub tells more of its sensors. */
   private async offerConsole(mayPlace: boolean): Promise<void> {
-    this.console.setMayNudge(mayPlace);
-    this.panel.offerConsole(mayPlace);
-    const isAdmin = this.access.token !== '' && (await this.console.askRole());
+    const room = this.state.welcome?.room ?? '';
+    const isAdmin = this.access.token !== '' && (await this.api.sensors(room).then(() => true, () => false));
+    await this.tryConsole(this.console.offer({ mayNudge: mayPlace, isAdmin }));
     this.panel.offerConsole(mayPlace || isAdmin);
+  }
+
+  private async loadConsole(hubAddress: string): Promise<Console> {
+    const { Console } = await import('./console/console');
+    return new Console(document.getElementById('console')!, this.state, this.api, hubAddress, {
+      closed: () => this.panel.focusConsole(),
+      nudge: this.nudgeEvents(),
+    });
+  }
+
+  private async tryConsole(done: Promise<void>): Promise<void> {
+    this.state.consoleProblem = await done.then(() => '', () => problemTexts.noConsole);
+    this.refreshWords();
   }
 
   /** Also for users whom the hub refused: they may have meant another room. */
@@ -262,7 +273,7 @@ class Page {
 
   private take(setId: bigint, frames: ViewFrame[], decodedAt_ms: number): void {
     this.state.framesDecoded(frames, decodedAt_ms);
-    this.console.offer(frames, performance.now());
+    this.console.offerFrames(frames, performance.now());
     this.atHand.push(...frames);
     this.setAtHand = setId;
     this.stage.show(frames);

@@ -30,6 +30,7 @@ export class RoomState {
   body: Body | undefined; // current pose of the headset's wearer
   readonly poses = new Map<number, ViewerPose>(); // of the other viewers, as received
   broken = ''; // reason why the page cannot continue
+  consoleProblem = ''; // reason why the console is not there
   shownSets = 0;
   lastShownSet = 0n;
   firstShownAt_ms: number | undefined; // since the connection was opened: all online sensors decoded and drawn

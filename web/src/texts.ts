@@ -264,6 +264,7 @@ export const problemTexts = {
   noColorInsecure:
     'Browsers decode colour only on pages loaded over HTTPS: depth is shown without it. Start the hub with ' +
     '--tls-self-signed and open its https:// address; on the hub’s own computer http://localhost works, too.',
+  noConsole: 'The console could not be loaded. Press its button to try again, or load the page again.',
   connecting: (hub: string) => `Connecting to ${hub} …`,
   tryingIn: (seconds: number) => `Trying again in ${seconds} s.`,
   trying: 'Trying again.',

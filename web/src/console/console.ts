@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The console next to the room, for operators. Data from the socket is shown to every user who may place sensors. Data
 // that needs an admin's token comes from the hub's HTTP interface and is offered only when that grants access.
+import type { ConsoleRights } from '../lazy_console';
 import { element } from '../panel/element';
 import type { NudgeEvents } from '../panel/nudge_controls';
 import type { RoomSensor } from '../room_roster';
@@ -84,16 +85,9 @@ export class Console {
     }
   }
 
-  setMayNudge(may: boolean): void {
-    this.alignment.setMayNudge(may);
-  }
-
-  /** Asks the hub whether this user is an admin. */
-  async askRole(): Promise<boolean> {
-    const room = this.state.welcome?.room ?? '';
-    const answer = await this.api.sensors(room).catch(() => undefined);
-    this.setAdmin(answer !== undefined);
-    return this.isAdmin;
+  setRights({ mayNudge, isAdmin }: ConsoleRights): void {
+    this.alignment.setMayNudge(mayNudge);
+    this.setAdmin(isAdmin);
   }
 
   /** Called with frames before they are drawn. */

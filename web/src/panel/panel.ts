@@ -221,8 +221,8 @@ export class Panel {
   }
 
   private known() {
-    const { broken, connection, roster, status } = this.state;
-    return { broken, connection, roster, status };
+    const { broken, connection, roster, status, consoleProblem } = this.state;
+    return { broken, connection, roster, status, consoleProblem };
   }
 
   private help(): HTMLElement {

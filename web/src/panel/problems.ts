@@ -10,6 +10,7 @@ export interface Known {
   roster: RoomRoster | undefined;
   status: Status | undefined;
   hubAddress: string;
+  consoleProblem?: string;
 }
 
 export interface Problem {
@@ -33,6 +34,7 @@ export function problems(known: Known, room_ms: number | undefined, date_ms: num
   const now_ms = isLoading ? undefined : room_ms;
   const found = sensorProblems(known.roster, known.status?.sensors ?? [], now_ms, known.hubAddress);
   if (known.status?.colorProblem) found.push(notice(known.status.colorProblem));
+  if (known.consoleProblem) found.push(notice(known.consoleProblem));
   return found;
 }
 
