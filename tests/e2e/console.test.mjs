@@ -39,6 +39,20 @@ describe('the console', () => {
     await untilAllShown(page, 2);
     assert.equal(await page.getByRole('button', { name: 'Console', exact: true }).count(), 0);
     assert.deepEqual(await seriousFindings(page), []);
+    const loaded = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name));
+    assert.ok(loaded.every((name) => !/console/.test(name)), 'nor is it loaded');
+    await page.close();
+  });
+
+  test('that could not be loaded is explained, and loaded at the next click', slow, async () => {
+    const page = await browser.context.newPage();
+    await page.route('**/console-*.js', (route) => route.abort());
+    await page.goto(`${hub.page}?${view}#token=${token}`);
+    await page.getByText('The console could not be loaded.').first().waitFor();
+    await page.unroute('**/console-*.js');
+    await open(page);
+    await page.getByRole('tab', { name: 'Alignment' }).waitFor();
+    await page.getByText('The console could not be loaded.').first().waitFor({ state: 'hidden' });
     await page.close();
   });
 

@@ -167,6 +167,35 @@ describe('the first minute', () => {
   });
 });
 
+describe('one’s name', () => {
+  test('is asked for where none was given, shown to the others at once, and remembered', slow, async () => {
+    const other = await open('&name=Bob');
+    const page = await open();
+    await untilAllShown(page, 1);
+    const field = page.getByLabel('Your name, as the others see it');
+    await field.fill('  Ada ');
+    await page.keyboard.press('Enter');
+    await other.getByRole('button', { name: 'Follow Ada' }).waitFor();
+    await until('it is one’s own', () => panelText(page), (text) => /Ada \(you\)/.test(text));
+    assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Change your name');
+    assert.doesNotMatch(await panelText(page), /connection to the hub/);
+    assert.deepEqual((await stateOf(page)).viewers.map(({ name }) => name).sort(), ['Ada', 'Bob']);
+    await untilAllShown(page, 1);
+    await page.reload();
+    await page.waitForFunction(() => window.roomcast !== undefined);
+    await until('it is remembered', () => panelText(page), (text) => /Ada \(you\)/.test(text));
+    await page.getByRole('button', { name: 'Change your name' }).click();
+    assert.equal(await field.inputValue(), 'Ada');
+    assert.deepEqual(await seriousFindings(page), []);
+    await page.keyboard.press('Escape');
+    assert.ok(await field.isHidden());
+    await page.evaluate(() => localStorage.clear());
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+    await other.close();
+  });
+});
+
 describe('going somewhere', () => {
   test('a double click goes to the surface that is there, smoothly; G to what is ahead', slow, async () => {
     const page = await open();
@@ -232,7 +261,7 @@ describe('one’s own view', () => {
     await untilAllShown(page, 1);
     const [download] = await Promise.all([
       page.waitForEvent('download'),
-      page.getByRole('button', { name: 'Save picture' }).click(),
+      page.getByRole('button', { name: 'Take a picture' }).click(),
     ]);
     assert.match(download.suggestedFilename(), /^roomcast-room-20\d\d-\d\d-\d\d-\d\d-\d\d-\d\d\.png$/);
     const file = readFileSync(await download.path());

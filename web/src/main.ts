@@ -7,6 +7,7 @@ import { HubApi } from './console/hub_api';
 import type { Welcome } from './gen/control_pb';
 import { LazyConsole } from './lazy_console';
 import { Look } from './look';
+import { ownName, takeName } from './own_name';
 import { bodyOf, PosePublisher } from './pose_publisher';
 import { parseOptions, socketUrl, type PageOptions } from './page_options';
 import type { NudgeEvents } from './panel/nudge_controls';
@@ -57,13 +58,15 @@ class Page {
     private readonly access: Access,
   ) {
     const url = socketUrl(location);
+    const name = ownName(options.name, browserStorage.store);
     const hubAddress = url.replace(/\/ws$/, '');
-    this.panel = new Panel(document.getElementById('panel')!, this.state, hubAddress, {
+    this.panel = new Panel(document.getElementById('panel')!, this.state, hubAddress, name, {
       modeChosen: (mode) => this.setMode(mode),
       sensorSwitched: (sensor, visible) => this.stage.setVisible(sensor, visible),
       themeChosen: (theme) => this.look.choose(theme),
       consoleWanted: () => void this.tryConsole(this.console.toggle()),
       tokenGiven: (token) => this.comeBackWith(token),
+      named: (text) => this.rename(text),
       follow: (viewer) => !this.headset.isOn && this.standpoint.follow.toggle(viewer),
       goTo: (x, z) => this.standpoint.goTo(x, z),
       view: {
@@ -89,7 +92,7 @@ class Page {
       followChanged: () => this.panel.setFollowed(this.standpoint.follow.whom),
     });
     this.link = new RoomLink(
-      { socketUrl: url, room: options.room, name: options.name, record: options.record, access },
+      { socketUrl: url, room: options.room, name, record: options.record, access },
       (message) => this.receive(message),
     );
     this.begin();
@@ -257,6 +260,12 @@ class Page {
     return '';
   }
 
+  private rename(text: string): string {
+    const name = takeName(text, browserStorage.store);
+    if (name) this.link.rename(name);
+    return name;
+  }
+
   private followRoster(roster: RoomRoster): void {
     const before = this.state.roster;
     this.nudges.forgetAnswered(before, roster);
@@ -335,6 +344,7 @@ function navigator_xr(): XRSystem | undefined {
 }
 
 const tabStorage = keptIn(() => sessionStorage);
+const browserStorage = keptIn(() => localStorage);
 const options = parseOptions(location.search, location.hash);
 const access = accessTo(options.room, readAccess(location.hash, tabStorage.store));
 if (location.hash !== '') {

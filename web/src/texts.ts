@@ -211,6 +211,12 @@ export const followTexts = {
   left: (name: string) => `${name} has left. You stay where you are.`,
 };
 
+export const nameTexts = {
+  name: 'Your name, as the others see it',
+  take: 'Take it',
+  change: 'Change your name',
+};
+
 export const mapTexts = {
   title: 'From above',
   you: 'you',
@@ -230,7 +236,7 @@ export const viewTexts = {
   fullScreen: 'Full screen (F)',
   leaveFullScreen: 'Leave full screen (F)',
   noFullScreen: 'This browser does not let the page fill the screen.',
-  save: 'Save picture',
+  save: 'Take a picture',
   saved: (name: string) => `Saved as ${name}.`,
   notSaved: 'No picture can be taken now: the room is not drawn on this screen.',
   omitsToken: 'Your token is not in it: whoever needs one to enter also needs a link of their own.',

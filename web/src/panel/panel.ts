@@ -13,6 +13,7 @@ import { labelled, submit, textField } from './form';
 import { clockError, megabytes, milliseconds, perSecond } from './format';
 import { HeadsetControls, type HeadsetControlEvents } from './headset_controls';
 import { MiniMap } from './mini_map';
+import { NameForm } from './name_form';
 import { PeopleList } from './people_list';
 import { problems } from './problems';
 import { RadioGroup } from './radio_group';
@@ -31,6 +32,8 @@ export interface PanelEvents {
   consoleWanted(): void;
   /** Returns why the token cannot be used, or nothing. */
   tokenGiven(token: string): string;
+  /** Returns the name as far as it can be used; empty if it cannot. */
+  named(name: string): string;
   /** The button of this person was pressed. */
   follow(viewer: number): void;
   /** To a place that was clicked on the map: the world's x and z, metres. */
@@ -70,6 +73,7 @@ export class Panel {
   private readonly drawing = element('p', { class: 'drawing', hidden: '' });
   private readonly sensors: SensorList;
   private readonly people: PeopleList;
+  private readonly name: NameForm;
   private readonly map: MiniMap;
   private readonly mapSection: HTMLElement;
   private followed: number | undefined;
@@ -85,10 +89,12 @@ export class Panel {
     private readonly root: HTMLElement,
     private readonly state: RoomState,
     private readonly hubAddress: string,
+    ownName: string,
     private readonly events: PanelEvents,
   ) {
     this.sensors = new SensorList(state, (sensor, visible) => events.sensorSwitched(sensor, visible));
     this.people = new PeopleList((viewer) => events.follow(viewer));
+    this.name = new NameForm(ownName, (name) => events.named(name));
     this.map = new MiniMap(state, (x, z) => events.goTo(x, z));
     this.mapSection = section(mapTexts.title, this.map.root);
     this.mapSection.title = mapTexts.help;
@@ -156,6 +162,7 @@ export class Panel {
 
   private showPeople(): void {
     this.people.show(this.state.roster?.viewers ?? [], this.state.welcome?.viewerId, this.followed);
+    this.name.setHere(this.state.welcome !== undefined);
   }
 
   refresh(): void {
@@ -204,7 +211,7 @@ export class Panel {
     this.body.append(
       figures,
       section(texts.sensors, this.sensors.root),
-      section(texts.people, this.people.root),
+      section(texts.people, this.people.root, this.name.root),
       this.mapSection,
       this.roomChoice,
       section(texts.drawnAs, this.modes.root, this.drawing),

@@ -143,6 +143,31 @@ describe('a hub connection', () => {
     expect(socket().sent[0]!.message).toMatchObject({ case: 'join', value: { token: 'signed', code: '' } });
   });
 
+  test('joins again under another name, with the token that it got, and without a word of trouble', () => {
+    const connection = start();
+    socket().open();
+    const first = socket();
+    first.say({ case: 'welcome', value: { viewerId: 9, token: 'mine' } });
+    connection.rename('Grace\u0000');
+    expect(first.closedWith).toBe(1000);
+    expect(first.onclose).toBe(null);
+    socket().open();
+    expect(FakeSocket.all.length).toBe(2);
+    expect(socket().sent[0]!.message.value).toMatchObject({ name: 'Grace', token: 'mine', code: '' });
+    expect(seen).toEqual(['welcome 9', 'disconnected']);
+    expect(states.map((state) => state.phase)).toEqual(['connecting', 'joined', 'connecting']);
+    expect(states.every((state) => state.sentence === '')).toBe(true);
+  });
+
+  test('gives a name that was chosen while it has no hub at its next try', () => {
+    const connection = start();
+    socket().end(1006);
+    connection.rename('Grace');
+    vi.advanceTimersByTime(6000);
+    socket().open();
+    expect(socket().sent[0]!.message.value).toMatchObject({ name: 'Grace' });
+  });
+
   test('pings after the welcome and learns room time from the answer', () => {
     const connection = start();
     socket().open();

@@ -47,6 +47,7 @@ export class HubConnection {
   private silenceTimer: ReturnType<typeof setInterval> | undefined;
   private ending: Ending = noEnding();
   private token: string;
+  private name: string;
   private redirected = false; // by a busy hub
   private readonly hubs: HubChoice;
 
@@ -55,6 +56,7 @@ export class HubConnection {
     private readonly events: HubEvents,
   ) {
     this.token = options.access.token;
+    this.name = asName(options.name);
     this.hubs = new HubChoice(options.socketUrl);
   }
 
@@ -74,6 +76,15 @@ export class HubConnection {
     if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(encodeControl(message));
   }
 
+  /** Joins again under another name: a viewer's name is part of its request to join. */
+  rename(name: string): void {
+    this.name = asName(name);
+    if (!this.socket) return; // it is given with the next request
+    this.drop(this.socket, normalClosure);
+    this.forget();
+    this.connect();
+  }
+
   private get room(): string {
     return this.options.room || this.options.access.room;
   }
@@ -85,11 +96,10 @@ export class HubConnection {
     this.socket = socket;
     this.ending.opened = true;
     this.silent_ms = 0;
-    const name = asName(this.options.name);
     const role = { case: 'viewer', value: {} } as const;
     // A code is valid once: after it was exchanged for a token, that token is presented.
     const right = this.token ? { token: this.token } : { code: this.options.access.code };
-    this.send({ case: 'join', value: { room: this.room, name, role, ...right, redirected: this.redirected } });
+    this.send({ case: 'join', value: { room: this.room, name: this.name, role, ...right, redirected: this.redirected } });
     this.silenceTimer = setInterval(() => this.checkSilence(), silenceCheck_ms);
   }
 
@@ -170,16 +180,25 @@ export class HubConnection {
     const socket = this.socket;
     if (!socket) return;
     this.ending.ownFault = { sentence, unsupported };
-    socket.onmessage = socket.onclose = null;
-    socket.close(policyClosure);
+    this.drop(socket, policyClosure);
     this.closed({ code: normalClosure, reason: '' });
   }
 
-  private closed(event: Pick<CloseEvent, 'code' | 'reason'>): void {
+  private drop(socket: WebSocket, code: number): void {
+    socket.onmessage = socket.onclose = null;
+    socket.close(code);
+  }
+
+  /** The connection is over. */
+  private forget(): void {
     clearTimeout(this.pingTimer);
     clearInterval(this.silenceTimer);
     this.socket = undefined;
     this.events.disconnected();
+  }
+
+  private closed(event: Pick<CloseEvent, 'code' | 'reason'>): void {
+    this.forget();
     const why = this.explain(event);
     const hopeless = isHopeless(this.ending);
     if (this.hubs.failed(hopeless)) {

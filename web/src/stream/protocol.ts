@@ -91,6 +91,7 @@ export type ToWorker =
   | { kind: 'shown'; buffers: ArrayBuffer[] } // the frames of the last `frames` message have been drawn
   | { kind: 'pose'; body: Body }
   | { kind: 'nudge'; sensor: number; worldFromDepth: number[] }
+  | { kind: 'rename'; name: string } // joins again
   | { kind: 'stats'; lastSetId: bigint; shownFps: number; latency_ms: number };
 
 /** A Pose without the fields added by Protobuf. */

@@ -30,6 +30,11 @@ export class RoomLink {
     this.tell({ kind: 'nudge', sensor, worldFromDepth });
   }
 
+  /** Joins the room again under another name. */
+  rename(name: string): void {
+    this.tell({ kind: 'rename', name });
+  }
+
   stats(lastSetId: bigint, shownFps: number, latency_ms: number): void {
     this.tell({ kind: 'stats', lastSetId, shownFps, latency_ms });
   }

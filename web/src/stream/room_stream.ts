@@ -67,6 +67,8 @@ export class RoomStream {
         const { sensor, worldFromDepth } = message;
         return this.hub?.send({ case: 'nudge', value: { sensorId: sensor, worldFromDepth } });
       }
+      case 'rename':
+        return this.hub?.rename(message.name);
       case 'stats': {
         const { lastSetId, shownFps, latency_ms } = message;
         return this.hub?.send({ case: 'viewerStats', value: { lastSetId, shownFps, latencyMs: latency_ms } });
