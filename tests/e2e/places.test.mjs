@@ -368,6 +368,40 @@ describe('the map', () => {
   });
 });
 
+describe('named places', () => {
+  test('are kept in this browser, gone to by a press, and forgotten', slow, async () => {
+    const page = await open('&name=Ada');
+    await untilAllShown(page, 1);
+    await page.getByText('Places', { exact: true }).click();
+    const field = page.getByLabel('Name of where you are now');
+    await page.getByRole('button', { name: 'Keep it' }).click();
+    await until('it wants a name', () => panelText(page), (text) => /It needs a name/.test(text));
+    await field.fill('desk <b>');
+    await page.keyboard.press('Enter');
+    await until('it is kept', () => panelText(page), (text) => /“desk <b>” is kept/.test(text));
+    assert.deepEqual(await seriousFindings(page), []);
+    const isAt = (what, place) => until(what, () => viewOf(page), ({ position }) => distance(position, place) < 0.01);
+    await page.getByRole('button', { name: 'Look from above' }).click();
+    await until('it is above', () => viewOf(page), ({ position, pitch }) => position[1] > 3 && pitch < -1.5);
+    await page.getByRole('button', { name: 'As s0 sees it' }).click();
+    const { worldFromDepth: m } = (await page.evaluate(() => window.roomcast.sensors()))[0];
+    await isAt('it is at the sensor', [m[3], m[7], m[11]]);
+    await page.reload();
+    await page.waitForFunction(() => window.roomcast !== undefined);
+    await untilAllShown(page, 1);
+    await page.evaluate(() => window.roomcast.setView([1, 1.5, 1], [0, 1, -1]));
+    await page.getByText('Places', { exact: true }).click();
+    await page.getByRole('button', { name: 'desk <b>', exact: true }).click();
+    await isAt('it is at the desk', [0.2, 1.7, 2.6]);
+    await page.getByRole('button', { name: 'Forget the place desk <b>' }).click();
+    assert.equal(await page.evaluate(() => document.activeElement === document.querySelector('.places input')), true);
+    assert.equal(await page.getByRole('button', { name: 'desk <b>', exact: true }).count(), 0);
+    assert.equal(await page.evaluate(() => localStorage.getItem('roomcast.places.room')), '[]');
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+  });
+});
+
 test('the first visit loads at most 270 kB', slow, async () => {
   const { context, end } = await startBrowser();
   const page = await context.newPage();

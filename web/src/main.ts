@@ -7,12 +7,14 @@ import { HubApi } from './console/hub_api';
 import type { Welcome } from './gen/control_pb';
 import { LazyConsole } from './lazy_console';
 import { Look } from './look';
+import { OwnPlaces } from './own_places';
 import { ownName, takeName } from './own_name';
 import { bodyOf, PosePublisher } from './pose_publisher';
 import { parseOptions, socketUrl, type PageOptions } from './page_options';
 import type { NudgeEvents } from './panel/nudge_controls';
 import { Panel } from './panel/panel';
 import { pictureName } from './panel/picture_name';
+import type { PlaceEvents } from './panel/place_list';
 import { Progress } from './panel/progress';
 import type { RoomRoster } from './room_roster';
 import { RoomState } from './room_state';
@@ -50,6 +52,7 @@ class Page {
   private readonly standpoint: Standpoint;
   private readonly headset: Headset;
   private readonly nudges = new SensorNudges();
+  private readonly places = new OwnPlaces(browserStorage.store);
   private atHand: ViewFrame[] = []; // passed to the stage, not yet drawn
   private setAtHand = 0n;
 
@@ -69,6 +72,7 @@ class Page {
       named: (text) => this.rename(text),
       follow: (viewer) => !this.headset.isOn && this.standpoint.follow.toggle(viewer),
       goTo: (x, z) => this.standpoint.goTo(x, z),
+      places: this.placeEvents(),
       view: {
         reset: () => this.standpoint.goToStart(),
         share: () => ({ address: this.standpoint.share(), omitsToken: this.access.token !== '' }),
@@ -96,6 +100,24 @@ class Page {
       (message) => this.receive(message),
     );
     this.begin();
+  }
+
+  private placeEvents(): PlaceEvents {
+    const show = () => this.panel.showPlaces(this.places.list);
+    return {
+      fromAbove: () => this.standpoint.goAbove(),
+      asSensor: (sensor) => this.standpoint.goToSensor(sensor),
+      goToPlace: ({ view }) => this.standpoint.goToView(view),
+      keep: (name) => {
+        const kept = this.places.keep(name, this.standpoint.current);
+        show();
+        return kept;
+      },
+      forget: ({ name }) => {
+        this.places.forget(name);
+        show();
+      },
+    };
   }
 
   private nudgeEvents(): NudgeEvents {
@@ -219,6 +241,7 @@ class Page {
 
   private welcomed(welcome: Welcome): void {
     this.state.welcome = welcome;
+    this.places.enter(welcome.room);
     document.title = `${welcome.room || 'room'} · roomcast`;
     if (welcome.token) this.access.token = welcome.token;
     if (this.access.token) rememberAccess(this.access, tabStorage.store);
@@ -274,6 +297,7 @@ class Page {
     if (roster.viewers.length > (before?.viewers.length ?? 0)) this.tellPosePublisher();
     this.standpoint.followRoster(roster, before);
     this.panel.rebuild();
+    this.panel.showPlaces(this.places.list);
   }
 
   private tellPosePublisher(): void {

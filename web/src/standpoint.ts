@@ -18,6 +18,7 @@ import { IdPass, pixelRay } from './view/id_pass';
 import { Navigation } from './view/navigation';
 import type { Stage } from './view/stage';
 import { fallbackView, placedOrAll, startView } from './view/start_view';
+import { viewFromAbove, viewOfSensor } from './view/sensor_view';
 import { keptFragment, sharedAddress, viewFragment, viewpointOf } from './view/view_address';
 import { reachOf } from './view/view_limits';
 import { viewFromMatrix, type ViewState } from './view/view_state';
@@ -90,9 +91,28 @@ export class Standpoint {
 
   /** Smoothly to a place; height and direction stay. */
   goTo(x: number, z: number): void {
+    this.goToView({ ...this.current, position: this.current.position.clone().setX(x).setZ(z) });
+  }
+
+  /** Smoothly to another view. */
+  goToView(view: ViewState): void {
     this.moved();
-    const { position } = this.current;
-    this.navigation.glideTo({ ...this.current, position: position.clone().setX(x).setZ(z) });
+    this.navigation.glideTo(view);
+  }
+
+  goAbove(): void {
+    const { clientWidth, clientHeight } = this.stage.canvas;
+    const view = viewFromAbove(this.placedPoses, clientWidth / Math.max(1, clientHeight));
+    if (view) this.goToView(view);
+  }
+
+  goToSensor(id: number): void {
+    const sensor = this.state.roster?.sensors.find((entry) => entry.id === id);
+    if (sensor) this.goToView(viewOfSensor(sensor.pose));
+  }
+
+  private get placedPoses() {
+    return placedOrAll((this.state.roster?.sensors ?? []).map(({ pose }) => pose));
   }
 
   /** Call once per screen refresh. */
@@ -158,6 +178,6 @@ export class Standpoint {
     if (this.opened) return this.opened;
     const pose = this.state.welcome?.startPose ?? [];
     if (this.hubKnewSensors && pose.length === 16) return viewFromMatrix(pose, startDistance_m);
-    return startView(placedOrAll((this.state.roster?.sensors ?? []).map(({ pose }) => pose)));
+    return startView(this.placedPoses);
   }
 }

@@ -211,6 +211,17 @@ export const followTexts = {
   left: (name: string) => `${name} has left. You stay where you are.`,
 };
 
+export const placesTexts = {
+  title: 'Places',
+  fromAbove: 'Look from above',
+  asSensor: (name: string) => `As ${name} sees it`,
+  name: 'Name of where you are now',
+  keep: 'Keep it',
+  kept: (name: string) => `“${name}” is kept in this browser. To give it to others, share the view.`,
+  notKept: 'It needs a name, and no more than 50 places are kept.',
+  forget: (name: string) => `Forget the place ${name}`,
+};
+
 export const nameTexts = {
   name: 'Your name, as the others see it',
   take: 'Take it',

@@ -4,6 +4,7 @@
 import type { HubRoom } from '../console/hub_api';
 import { themes, type Theme } from '../look';
 import type { RoomState } from '../room_state';
+import type { Place } from '../own_places';
 import { consoleTexts, headsetTexts, mapTexts, panelTexts as texts, viewTexts } from '../texts';
 import { drawModes, type DrawMode } from '../view/draw_mode';
 import type { ViewState } from '../view/view_state';
@@ -15,6 +16,7 @@ import { HeadsetControls, type HeadsetControlEvents } from './headset_controls';
 import { MiniMap } from './mini_map';
 import { NameForm } from './name_form';
 import { PeopleList } from './people_list';
+import { PlaceList, type PlaceEvents } from './place_list';
 import { problems } from './problems';
 import { RadioGroup } from './radio_group';
 import { RoomList } from './room_list';
@@ -22,6 +24,7 @@ import { SensorList } from './sensor_list';
 import { Troubles } from './troubles';
 import { ViewTools, type ViewToolEvents } from './view_tools';
 import './panel.css';
+import './places.css';
 
 const longestToken = 4096;
 
@@ -38,6 +41,7 @@ export interface PanelEvents {
   follow(viewer: number): void;
   /** To a place that was clicked on the map: the world's x and z, metres. */
   goTo(x: number, z: number): void;
+  places: PlaceEvents;
   view: ViewToolEvents;
   headset: HeadsetControlEvents;
 }
@@ -75,6 +79,7 @@ export class Panel {
   private readonly people: PeopleList;
   private readonly name: NameForm;
   private readonly map: MiniMap;
+  private readonly placeList: PlaceList;
   private readonly mapSection: HTMLElement;
   private followed: number | undefined;
   private readonly rooms = new RoomList();
@@ -95,9 +100,10 @@ export class Panel {
     this.sensors = new SensorList(state, (sensor, visible) => events.sensorSwitched(sensor, visible));
     this.people = new PeopleList((viewer) => events.follow(viewer));
     this.name = new NameForm(ownName, (name) => events.named(name));
+    this.placeList = new PlaceList(events.places);
     this.map = new MiniMap(state, (x, z) => events.goTo(x, z));
-    this.mapSection = section(mapTexts.title, this.map.root);
-    this.mapSection.title = mapTexts.help;
+    this.mapSection = section(mapTexts.title, this.map.root, this.placeList.root);
+    this.map.root.title = mapTexts.help;
     this.tools = new ViewTools(events.view);
     this.headset = new HeadsetControls(events.headset);
     const modes = drawModes.map((value) => ({ value, ...texts.modes[value] }));
@@ -187,6 +193,10 @@ export class Panel {
   showMap(view: ViewState): void {
     this.map.show(view);
     this.mapSection.hidden = this.map.root.hidden;
+  }
+
+  showPlaces(places: readonly Place[]): void {
+    this.placeList.show(this.state.roster?.sensors ?? [], places);
   }
 
   showDrawing(drawing: Drawing): void {
