@@ -22,7 +22,7 @@ interface Person {
 }
 
 export class MiniMap {
-  private readonly map = svg('svg', { class: 'map', role: 'img' }) as SVGSVGElement;
+  private readonly map = svg('svg', { class: 'map', role: 'img', 'aria-label': texts.title }) as SVGSVGElement;
   readonly root = element('div', { class: 'mini-map' }, this.map);
   private frame: MapFrame | undefined;
   private drawn = '';
@@ -40,7 +40,6 @@ export class MiniMap {
     const entries = this.state.roster?.sensors ?? [];
     const spots = entries.map(spotOf);
     const room = mapFrame(spots.flatMap(({ x, y, heading }) => [{ x, y }, ahead({ x, y }, heading)]));
-    this.root.hidden = room === undefined;
     if (!room || !this.root.checkVisibility()) return;
     const people = this.people();
     const frame = stretched(room, [...people.map(({ view }) => view), self].map(standing));

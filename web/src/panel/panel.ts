@@ -191,8 +191,8 @@ export class Panel {
 
   /** `view` is this page's own. */
   showMap(view: ViewState): void {
+    this.mapSection.hidden = !this.state.roster?.sensors.length;
     this.map.show(view);
-    this.mapSection.hidden = this.map.root.hidden;
   }
 
   showPlaces(places: readonly Place[]): void {
