@@ -212,7 +212,8 @@ class Page {
     setInterval(() => this.refreshWords(), panelInterval_ms);
     setInterval(() => this.reportStats(), statsInterval_ms);
     void headsetOffer(window.isSecureContext, navigator_xr()).then((offer) => this.panel.headset.offer(offer));
-    window.roomcast = new TestApi({ stage, state, navigation: standpoint.navigation, headset, setMode: (mode) => this.setMode(mode) });
+    const { navigation } = standpoint;
+    window.roomcast = new TestApi({ stage, state, navigation, headset, setMode: (mode) => this.setMode(mode) });
   }
 
   private receive(message: FromWorker): void {

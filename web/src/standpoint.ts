@@ -164,7 +164,8 @@ export class Standpoint {
   private goToPixel(x: number, y: number): void {
     const { stage } = this;
     if (stage.renderer.xr.isPresenting) return;
-    const point = new IdPass(stage).pointAt(x, y) ?? floorPoint(stage.camera.position, pixelRay(stage, x, y), floorWithin_m);
+    const seen = new IdPass(stage).pointAt(x, y);
+    const point = seen ?? floorPoint(stage.camera.position, pixelRay(stage, x, y), floorWithin_m);
     if (point) this.navigation.glideTo(viewAt(this.current, point));
   }
 

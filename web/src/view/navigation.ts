@@ -137,6 +137,10 @@ export class Navigation {
     this.goThere(event.clientX - left, event.clientY - top);
   }
 
+  private goAhead(): void {
+    this.goThere(this.canvas.clientWidth / 2, this.canvas.clientHeight / 2);
+  }
+
   private goThere(x: number, y: number): void {
     this.events.moved();
     this.events.goThere(Math.floor(x), Math.floor(y));
@@ -181,7 +185,7 @@ export class Navigation {
     if (!isForRoom(event) || event.ctrlKey || event.metaKey || event.altKey) return;
     this.running = event.shiftKey;
     if (event.code === 'KeyR') return this.events.reset();
-    if (event.code === 'KeyG' && !event.repeat) return this.goThere(this.canvas.clientWidth / 2, this.canvas.clientHeight / 2);
+    if (event.code === 'KeyG' && !event.repeat) return this.goAhead();
     if (!isMotionKey(event.code)) return;
     event.preventDefault();
     if (!event.repeat) this.go(movedByKeys(this.view, [event.code], tap_s, this.running));

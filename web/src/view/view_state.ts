@@ -81,8 +81,8 @@ export function pan(view: ViewState, right_m: number, up_m: number): ViewState {
 }
 
 /**
- * Moves to `factor` times the distance from the pivot, at most to `most_m`, so that the room stays in view. At the minimum distance it
- * pushes the pivot ahead.
+ * Moves to `factor` times the distance from the pivot, at most to `most_m`, so that the room stays in view. At the
+ * minimum distance it pushes the pivot ahead.
  */
 export function dolly(view: ViewState, factor: number, most_m = maxDistance_m): ViewState {
   const wanted_m = view.distance * factor;
