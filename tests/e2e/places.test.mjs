@@ -326,6 +326,20 @@ describe('following a person', () => {
     await ada.getByText('You see what Bob sees.').waitFor({ state: 'hidden' });
   });
 
+  test('leaves an Escape to an open console', slow, async () => {
+    const admin = await open(`&name=Eve#token=${token}`);
+    await admin.getByRole('button', { name: 'Console', exact: true }).click();
+    await admin.getByRole('button', { name: 'Follow Bob' }).click();
+    await admin.getByRole('tab', { name: 'Sensors' }).focus();
+    await admin.keyboard.press('Escape');
+    assert.ok(await admin.locator('#console').isHidden());
+    assert.ok(await admin.getByText('You see what Bob sees.').isVisible());
+    await admin.keyboard.press('Escape');
+    await admin.getByText('You see what Bob sees.').waitFor({ state: 'hidden' });
+    assert.deepEqual(admin.complaints, []);
+    await admin.close();
+  });
+
   test('keeps the focus while others come, and ends with a sentence when the person leaves', slow, async () => {
     await follow().focus();
     await ada.keyboard.press('Enter');
@@ -416,6 +430,25 @@ test('the first visit loads at most 270 kB', slow, async () => {
   const total = bytes.reduce((sum, size) => sum + size, 0);
   assert.ok(total > 100_000 && total <= 270_000, `${total} bytes: ${loaded.map((url, i) => `${url} ${bytes[i]}`).join(', ')}`);
   await end();
+});
+
+test('with colours of the system’s own one sees whom one follows, and where all are', slow, async () => {
+  const other = await openPage(browser.context, `${hub.page}?panel=0&name=Bob`);
+  const page = await open('&name=Ada');
+  await untilAllShown(page, 1);
+  await page.emulateMedia({ forcedColors: 'active' });
+  const follow = page.getByRole('button', { name: 'Follow Bob' });
+  const back = () => follow.evaluate((button) => getComputedStyle(button).backgroundColor);
+  const plain = await back();
+  await follow.click();
+  assert.notEqual(await back(), plain);
+  const person = page.locator('.map .person');
+  await person.waitFor({ state: 'attached' });
+  const fill = await person.evaluate((drop) => getComputedStyle(drop).fill);
+  assert.notEqual(fill, await page.locator('.map .self').evaluate((drop) => getComputedStyle(drop).fill));
+  await page.emulateMedia({ forcedColors: 'none' });
+  await page.close();
+  await other.close();
 });
 
 describe('a phone', () => {
