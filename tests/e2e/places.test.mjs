@@ -371,9 +371,9 @@ describe('the map', () => {
     });
     const before = await viewOf(page);
     await page.mouse.click(left, top);
-    const there = await until('it is with Bob', () => viewOf(page), ({ position }) => Math.hypot(position[0] - 0.5, position[2] - 1) < 0.1);
+    const there = await until('it is with Bob', () => viewOf(page), ({ position }) => Math.hypot(position[0] - 0.5, position[2] - 1) < 0.05);
     assert.deepEqual([there.position[1], there.yaw, there.pitch], [before.position[1], before.yaw, before.pitch]);
-    await until('the map follows', () => place('.self'), ([mine]) => Math.abs(mine - there.position[0]) < 0.02);
+    await until('the map follows', () => place('.self'), ([mine, own]) => Math.hypot(mine - 0.5, own - 1) < 0.05);
     assert.deepEqual(await seriousFindings(page), []);
     assert.deepEqual(page.complaints, []);
     await other.close();
@@ -408,7 +408,7 @@ describe('named places', () => {
     await page.getByRole('button', { name: 'desk <b>', exact: true }).click();
     await isAt('it is at the desk', [0.2, 1.7, 2.6]);
     await page.getByRole('button', { name: 'Forget the place desk <b>' }).click();
-    assert.equal(await page.evaluate(() => document.activeElement === document.querySelector('.places input')), true);
+    assert.equal(await page.evaluate(() => document.activeElement === document.querySelector('.place-list input')), true);
     assert.equal(await page.getByRole('button', { name: 'desk <b>', exact: true }).count(), 0);
     assert.equal(await page.evaluate(() => localStorage.getItem('roomcast.places.room')), '[]');
     assert.deepEqual(page.complaints, []);

@@ -42,7 +42,7 @@ export class PlaceList {
       this.keep();
     });
     const title = element('summary', {}, texts.title);
-    this.root = element('details', { class: 'help places' }, title, above, this.sensorList, this.list, form, this.said);
+    this.root = element('details', { class: 'help place-list' }, title, above, this.sensorList, this.list, form, this.said);
   }
 
   show(sensors: readonly RoomSensor[], places: readonly Place[]): void {

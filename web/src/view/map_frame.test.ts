@@ -23,5 +23,5 @@ test('the map is stretched for people beside the room, a metre at a time, but no
   const frame = { left: 0, top: 0, width: 4, height: 4 };
   expect(stretched(frame, [{ x: 1, y: 1 }])).toEqual(frame);
   expect(stretched(frame, [{ x: -0.2, y: 5.1 }])).toEqual({ left: -1, top: 0, width: 5, height: 6 });
-  expect(stretched(frame, [{ x: -500, y: 1 }])).toEqual({ left: -3, top: 0, width: 7, height: 4 });
+  expect(stretched(frame, [{ x: -500, y: 1 }])).toEqual({ left: -4, top: 0, width: 8, height: 4 });
 });

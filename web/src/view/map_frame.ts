@@ -6,6 +6,7 @@ import { median } from './view_limits';
 const margin_m = 1;
 const farthest_m = 40; // from the middle: a sensor at an absurd place does not shrink the room to a dot
 const least_m = 4;
+const aroundPerson_m = 0.4;
 const besideRoom_m = 3; // how far the map is stretched for people
 
 export interface MapFrame {
@@ -37,8 +38,8 @@ export function mapFrame(points: readonly MapPoint[]): MapFrame | undefined {
 /** With the people as well, as far as they stand near the room; in whole metres, so that the map does not tremble. */
 export function stretched(frame: MapFrame, people: readonly MapPoint[]): MapFrame {
   const near = people.map((point) => insideFrame(point, frame, -besideRoom_m));
-  const xs = [frame.left, frame.left + frame.width, ...near.map(({ x }) => x)];
-  const ys = [frame.top, frame.top + frame.height, ...near.map(({ y }) => y)];
+  const xs = [frame.left, frame.left + frame.width, ...near.flatMap(({ x }) => [x - aroundPerson_m, x + aroundPerson_m])];
+  const ys = [frame.top, frame.top + frame.height, ...near.flatMap(({ y }) => [y - aroundPerson_m, y + aroundPerson_m])];
   const [left, top] = [Math.floor(Math.min(...xs)), Math.floor(Math.min(...ys))];
   return { left, top, width: Math.ceil(Math.max(...xs)) - left, height: Math.ceil(Math.max(...ys)) - top };
 }
