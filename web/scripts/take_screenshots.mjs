@@ -54,7 +54,7 @@ async function desktop(hub) {
 }
 
 async function phone(hub) {
-  await withBrowser({ width: 390, height: 780 }, async (context) => {
+  await withBrowser({ width: 390, height: 780, phone: true }, async (context) => {
     const page = await openPage(context, `${hub.page}?${view}`);
     await page.emulateMedia({ colorScheme: 'dark' });
     await settled(page);
