@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Alignment of recordings with known poses, where they are available (ROOMCAST_DATA).
-#include "roomcast/cli/recorded_views.h"
+#include "roomcast/alignment/recorded/recorded_views.h"
 
 #include <array>
 #include <numbers>
@@ -12,7 +12,7 @@
 #include "roomcast/recording/dataset/recording_fixture.h"
 #include "roomcast/recording/dataset/rig_json.h"
 
-namespace roomcast::cli {
+namespace roomcast::alignment {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -29,16 +29,16 @@ TEST(RecordedAlignment, places_three_sensors_on_a_floor_that_repeats) {
   const auto bundles = read_rig_bundles(recording::shared_data() / "house3", kQuiet);
   const auto rig = recording::read_rig_json(recording::shared_data() / "house3" / "rig.json");
   ASSERT_TRUE(bundles.ok() && rig.ok());
-  alignment::RigAligner aligner;
+  RigAligner aligner;
   for (const RecordedBundle& recorded : *bundles) aligner.add(*view_of(recorded));
-  const alignment::AlignmentReport report = aligner.solve();
+  const AlignmentReport report = aligner.solve();
   for (std::size_t i = 0; i < 3; ++i) {
     ASSERT_TRUE(report.sensors[i].placed) << report.sensors[i].reason;
     const RigidTransform found =
         report.sensors[0].world_from_depth->inverse() * *report.sensors[i].world_from_depth;
     const RigidTransform truth =
         rig->sensors[0].world_from_depth->inverse() * *rig->sensors[i].world_from_depth;
-    const auto error = alignment::difference(found, truth);
+    const auto error = difference(found, truth);
     EXPECT_LT(error.angle_rad, 0.2 * kDegree) << report.sensors[i].id;
     EXPECT_LT(error.distance_m, 0.010) << report.sensors[i].id;
   }
@@ -58,16 +58,16 @@ TEST(RecordedAlignment, finds_the_relative_poses_of_a_real_kinects_frames) {
   auto frames = FrameViews::read(folder, pairs, kQuiet);
   ASSERT_TRUE(frames.ok());
   for (const ListedPair& pair : pairs) {
-    alignment::RigAligner aligner;
+    RigAligner aligner;
     aligner.add(*frames->at(pair.a));
     aligner.add(*frames->at(pair.b));
     const auto found = aligner.solve().pairs.at(0);
     ASSERT_TRUE(found.b_from_a.has_value()) << pair.a << " " << pair.b << ": " << found.reason;
-    const auto error = alignment::difference(*found.b_from_a, *pair.b_from_a, {0, 0, 0});
+    const auto error = difference(*found.b_from_a, *pair.b_from_a, {0, 0, 0});
     EXPECT_LT(error.angle_rad, 5 * kDegree) << pair.a << " " << pair.b;
     EXPECT_LT(error.distance_m, 0.1) << pair.a << " " << pair.b;
   }
 }
 
 }  // namespace
-}  // namespace roomcast::cli
+}  // namespace roomcast::alignment

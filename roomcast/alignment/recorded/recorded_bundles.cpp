@@ -1,29 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/cli/recorded_bundles.h"
+#include "roomcast/alignment/recorded/recorded_bundles.h"
 
 #include <chrono>
 #include <memory>
 #include <utility>
 
 #include "roomcast/recording/dataset/recording.h"
-#include "roomcast/sensor/source_factory.h"
+#include "roomcast/recording/playback/recording_source.h"
 
-namespace roomcast::cli {
+namespace roomcast::alignment {
 namespace {
 
-Result<std::unique_ptr<source::FrameSource>> open_recording(const std::string& spec) {
-  sensor::SourceOptions options;
-  options.pace = source::Pace::kAsFastAsPossible;
-  options.loop = false;
-  return sensor::open_source(spec, options);
-}
+constexpr source::PlaybackOptions kOnce{.pace = source::Pace::kAsFastAsPossible, .loop = false};
 
-Result<RecordedBundle> read_sensor(const std::string& spec,
-                                   const alignment::BundleCaptureOptions& options) {
-  auto source = open_recording(spec);
+Result<RecordedBundle> read_sensor(const std::filesystem::path& rig, const std::string& name,
+                                   const BundleCaptureOptions& options) {
+  auto source = recording::open_rig_source(rig.string(), name, kOnce);
   if (!source) return source.error();
   const source::SensorDescription& sensor = (*source)->description();
-  alignment::BundleCapture capture(sensor.name, sensor.calibration, options);
+  BundleCapture capture(sensor.name, sensor.calibration, options);
   source::CapturedFrame frame;
   for (bool enough = false; !enough;) {
     const auto more = (*source)->next(frame, {});
@@ -40,9 +35,9 @@ Result<RecordedBundle> read_sensor(const std::string& spec,
 
 RecordedBundle bundle_of_frame(const source::SensorDescription& sensor,
                                const source::CapturedFrame& frame,
-                               const alignment::BundleCaptureOptions& options) {
+                               const BundleCaptureOptions& options) {
   const std::string name = std::to_string(frame.index);
-  alignment::BundleCapture capture(name, sensor.calibration, options);
+  BundleCapture capture(name, sensor.calibration, options);
   const auto added = capture.add(frame.depth_mm, frame.color);
   if (!added) return {name, added.error()};
   return {name, capture.finish()};
@@ -50,15 +45,15 @@ RecordedBundle bundle_of_frame(const source::SensorDescription& sensor,
 
 }  // namespace
 
-Result<std::vector<RecordedBundle>> read_rig_bundles(
-    const std::filesystem::path& directory, const ReadProgress& progress,
-    const alignment::BundleCaptureOptions& options) {
+Result<std::vector<RecordedBundle>> read_rig_bundles(const std::filesystem::path& directory,
+                                                     const ReadProgress& progress,
+                                                     const BundleCaptureOptions& options) {
   const auto names = recording::rig_sensor_names(directory.string());
   if (!names) return names.error();
   std::vector<RecordedBundle> bundles;
   for (const std::string& name : *names) {
     progress("reading " + name);
-    auto bundle = read_sensor("rig:" + directory.string() + "#" + name, options);
+    auto bundle = read_sensor(directory, name, options);
     if (!bundle) return bundle.error();
     bundles.push_back(std::move(*bundle));
   }
@@ -67,8 +62,8 @@ Result<std::vector<RecordedBundle>> read_rig_bundles(
 
 Result<std::map<std::uint64_t, RecordedBundle>> read_frame_bundles(
     const std::filesystem::path& directory, const std::set<std::uint64_t>& frames,
-    const ReadProgress& progress, const alignment::BundleCaptureOptions& options) {
-  auto source = open_recording("tum:" + directory.string());
+    const ReadProgress& progress, const BundleCaptureOptions& options) {
+  auto source = recording::open_tum_source(directory.string(), kOnce);
   if (!source) return source.error();
   std::map<std::uint64_t, RecordedBundle> bundles;
   source::CapturedFrame frame;
@@ -88,4 +83,4 @@ Result<std::map<std::uint64_t, RecordedBundle>> read_frame_bundles(
   return bundles;
 }
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::alignment
