@@ -248,6 +248,8 @@ inline const std::vector<Layer> kLayers = {
     {"capi",
      "client client/room codec core geometry recording/recorder sensor/sender",
      "hub/server"},
+    {"python",
+     "codec core geometry io recording/export recording/frame_sets"},
     {"cli",
      "* bench"},
     {"web/wasm",
