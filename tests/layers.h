@@ -249,7 +249,8 @@ inline const std::vector<Layer> kLayers = {
      "client client/room codec core geometry recording/recorder sensor/sender",
      "hub/server"},
     {"python",
-     "codec core geometry io recording/export recording/frame_sets"},
+     "alignment/recorded client client/room codec core geometry io recording/export recording/frame_sets "
+     "recording/measure recording/recorder sensor/sender"},
     {"cli",
      "* bench"},
     {"web/wasm",

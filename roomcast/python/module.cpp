@@ -16,4 +16,8 @@ PYBIND11_MODULE(_core, module) {
   roomcast::python::add_cameras(module);
   roomcast::python::add_frames(module);
   roomcast::python::add_recordings(module);
+  roomcast::python::add_rooms(module);
+  roomcast::python::add_sensors(module);
+  roomcast::python::add_alignment(module);
+  roomcast::python::add_measuring(module);
 }

@@ -121,5 +121,5 @@ class TestCase(unittest.TestCase):
 
     def start_hub(self, *options):
         """Returns the address of a hub of its own."""
-        hub = self.start("hub", "--listen", "127.0.0.1:0", "--data", self.folder(), *options)
-        return "ws://127.0.0.1:" + hub.prints(r"open https?://127\.0\.0\.1:(\d+)/")[1]
+        self.hub = self.start("hub", "--listen", "127.0.0.1:0", "--data", self.folder(), *options)
+        return "ws://127.0.0.1:" + self.hub.prints(r"open https?://127\.0\.0\.1:(\d+)/")[1]
