@@ -180,7 +180,7 @@ inline const std::vector<Layer> kLayers = {
     {"alignment",
      "alignment/bundle alignment/feature alignment/homography alignment/motion alignment/person alignment/prior "
      "alignment/rig core"},
-    {"alignment/recorded",
+    {"recording/align",
      "alignment alignment/bundle alignment/homography alignment/rig core geometry io recording/dataset "
      "recording/playback",
      "alignment/pair"},
@@ -249,7 +249,7 @@ inline const std::vector<Layer> kLayers = {
      "client client/room codec core geometry recording/recorder sensor/sender",
      "hub/server"},
     {"python",
-     "alignment/recorded client client/room codec core geometry io recording/export recording/frame_sets "
+     "client client/room codec core geometry io recording/align recording/export recording/frame_sets "
      "recording/measure recording/recorder sensor/sender"},
     {"cli",
      "* bench"},

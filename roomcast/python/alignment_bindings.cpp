@@ -6,11 +6,11 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "roomcast/alignment/recorded/recorded_alignment.h"
 #include "roomcast/python/arrays.h"
 #include "roomcast/python/bindings.h"
 #include "roomcast/python/errors.h"
 #include "roomcast/python/waiting.h"
+#include "roomcast/recording/align/recorded_alignment.h"
 
 namespace roomcast::python {
 namespace {
@@ -32,7 +32,7 @@ AlignmentReport align(const std::filesystem::path& path) {
     const auto unless_stopped = [&](const std::string&) {
       if (stop.stop_requested()) throw Stopped();
     };
-    return alignment::align_recording(path, "auto", {}, unless_stopped,
+    return recording::align_recording(path, "auto", {}, unless_stopped,
                                       alignment::DepthScaling::kEstimated);
   }));
 }

@@ -15,7 +15,11 @@ from support import TestCase, depth_mm, run_python, write_rig
 class Lifetimes(TestCase):
     def test_arrays_outlive_frames_iterator_and_recording(self):
         with roomcast.open(write_rig(self.folder())) as recording:
-            arrays = [(n, frames.number, frame.depth, frame.points().xyz) for frames in recording for n, frame in enumerate(frames)]
+            arrays = [
+                (n, frames.number, frame.depth, frame.points().xyz)
+                for frames in recording
+                for n, frame in enumerate(frames)
+            ]
         del recording
         gc.collect()
         for n, i, depth, xyz in arrays:
@@ -111,7 +115,8 @@ class InterpretersEnd(TestCase):
         self.assert_ends_well(
             "import sys, roomcast\n"
             "recording = roomcast.open(sys.argv[1])\n"
-            "sets = iter(recording); frames = next(sets); frame = frames[0]; depth = frame.depth; cloud = frames.points()\n"
+            "sets = iter(recording); frames = next(sets); frame = frames[0]\n"
+            "depth = frame.depth; cloud = frames.points()\n"
             "cycle = [recording, sets, frames, depth, cloud.xyz]; cycle.append(cycle)\n",
             write_rig(self.folder()),
         )
@@ -122,7 +127,8 @@ class InterpretersEnd(TestCase):
             self.assert_ends_well(READS_FOR_EVER, rig, seconds)
 
     def test_with_an_exception_on_the_way(self):
-        ended = run_python("import sys, roomcast\nfor frames in roomcast.open(sys.argv[1]): raise ValueError('mine')", write_rig(self.folder()))
+        code = "import sys, roomcast\nfor frames in roomcast.open(sys.argv[1]): raise ValueError('mine')"
+        ended = run_python(code, write_rig(self.folder()))
         self.assertEqual(ended.returncode, 1)
         self.assertIn("ValueError: mine", ended.stderr)
 

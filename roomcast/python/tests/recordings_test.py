@@ -76,7 +76,8 @@ class Recordings(TestCase):
         file = self.folder() / "room.mcap"
         url = self.start_hub()
         rig = write_rig(self.folder(), instants=4)
-        sensors = [self.start("sensor", "--source", f"rig:{rig}#s{n}", "--hub", url, "--codec", "lossless", "--verbose") for n in range(2)]
+        options = ["--hub", url, "--codec", "lossless", "--verbose"]
+        sensors = [self.start("sensor", "--source", f"rig:{rig}#s{n}", *options) for n in range(2)]
         for sensor in sensors:
             sensor.prints("joined")
         run_program("record", file, "--hub", url, "--seconds", 2)

@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Live rooms: watching one, and being a sensor of one."""
 import signal
-import subprocess
-import sys
 import threading
 import time
 
 import numpy as np
 
 import roomcast
-from support import HEIGHT, WIDTH, TestCase, color, depth_mm, room_from_sensor, run_program, run_python, write_rig
+from support import HEIGHT, WIDTH, TestCase, color, depth_mm, room_from_sensor, run_python, start_python
 
 CAMERA = roomcast.Intrinsics(width=WIDTH, height=HEIGHT, fx=60, fy=60, cx=31.5, cy=23.5)
 NOBODY = "ws://127.0.0.1:1"
@@ -19,7 +17,9 @@ class Sending:
     """A sensor that sends `pictures` in turn from a thread of its own."""
 
     def __init__(self, test, url, name="s0", number=0, **options):
-        self.sensor = roomcast.Sensor(url, name, CAMERA, room_from_sensor=room_from_sensor(number), depth_mode="lossless", **options)
+        self.sensor = roomcast.Sensor(
+            url, name, CAMERA, room_from_sensor=room_from_sensor(number), depth_mode="lossless", **options
+        )
         self.number, self.reports, self.ends = number, [], threading.Event()
         self.thread = threading.Thread(target=self.run)
         self.thread.start()
@@ -118,7 +118,8 @@ class Rooms(TestCase):
 
     def test_a_room_that_may_not_be_exported_writes_no_file(self):
         config = self.folder() / "roomcast.toml"
-        config.write_text("[[room]]\nname = 'room'\nsend = 'anyone'\nview = 'anyone'\nrecord = 'anyone'\nexport = 'admin'\n")
+        rights = "send = 'anyone'\nview = 'anyone'\nrecord = 'anyone'\nexport = 'admin'\n"
+        config.write_text("[[room]]\nname = 'room'\n" + rights)
         url = self.start_hub("--config", config)
         Sending(self, url)
         with roomcast.watch(url) as room:
@@ -223,7 +224,11 @@ class Sensors(TestCase):
 
     def test_several_threads_may_send(self):
         sensor, reports = self.sensor(), []
-        threads = [threading.Thread(target=lambda: reports.extend(sensor.send(depth_mm(0, i)) for i in range(20))) for _ in range(4)]
+
+        def send():
+            reports.extend(sensor.send(depth_mm(0, i)) for i in range(20))
+
+        threads = [threading.Thread(target=send) for _ in range(4)]
         for thread in threads:
             thread.start()
         for thread in threads:
@@ -263,8 +268,7 @@ except KeyboardInterrupt:
 
 class Interruptions(TestCase):
     def assert_interruptible(self, wait, *args, prepare="pass"):
-        program = subprocess.Popen([sys.executable, "-X", "dev", "-c", INTERRUPTED.format(prepare=prepare, wait=wait), *map(str, args)],
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        program = start_python(INTERRUPTED.format(prepare=prepare, wait=wait), *args)
         self.assertEqual(program.stdout.readline(), "waits\n")
         time.sleep(0.3)
         program.send_signal(signal.SIGINT)

@@ -39,7 +39,7 @@ def depth_mm(sensor, instant):
 
 def color(sensor):
     picture = np.zeros((HEIGHT, WIDTH, 3), np.uint8)
-    picture[...] = (60 + 40 * sensor, 120, 30)
+    picture[...] = (60 + 20 * sensor, 120, 30)
     return picture
 
 
@@ -69,7 +69,8 @@ def write_rig(folder, sensors=2, instants=6, depth_scales=None, placed=True):
                 (rig / f"s{n}/{kind}/{i:06}.png").write_bytes(png(picture(i)))
                 lines.append(f"{100 + i / FPS:.6f} {kind}/{i:06}.png\n")
             (rig / f"s{n}/{kind}.txt").write_text("".join(lines))
-        entry = dict(id=f"s{n}", path=f"s{n}", world_from_depth=room_from_sensor(n).ravel().tolist() if placed else None)
+        pose = room_from_sensor(n).ravel().tolist() if placed else None
+        entry = dict(id=f"s{n}", path=f"s{n}", world_from_depth=pose)
         if depth_scales:
             entry["depth_scale"] = depth_scales[n]
         entries.append(entry)
@@ -87,11 +88,19 @@ def run_python(code, *args, timeout=60):
                           capture_output=True, text=True, timeout=timeout)
 
 
+def start_python(code, *args):
+    """The same, without waiting for its end."""
+    command = [sys.executable, "-X", "dev", "-c", code, *map(str, args)]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
 class Background:
     """A running roomcast."""
 
     def __init__(self, *args):
-        self.process = subprocess.Popen([PROGRAM, *map(str, args)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.process = subprocess.Popen(
+            [PROGRAM, *map(str, args)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+        )
 
     def prints(self, pattern):
         text = ""

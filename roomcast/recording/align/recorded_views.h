@@ -11,16 +11,16 @@
 #include <vector>
 
 #include "roomcast/alignment/alignment_options.h"
-#include "roomcast/alignment/recorded/pair_list.h"
-#include "roomcast/alignment/recorded/recorded_bundles.h"
+#include "roomcast/recording/align/pair_list.h"
+#include "roomcast/recording/align/recorded_bundles.h"
 
-namespace roomcast::alignment {
+namespace roomcast::recording {
 
-using SharedView = std::shared_ptr<const SensorView>;
+using SharedView = std::shared_ptr<const alignment::SensorView>;
 
-/// Errors of the bundle and of make_sensor_view.
+/// Errors of the bundle and of alignment::make_sensor_view.
 [[nodiscard]] Result<SharedView> view_of(const RecordedBundle& recorded,
-                                         const SensorViewOptions& options = {});
+                                         const alignment::SensorViewOptions& options = {});
 
 /// The views of all frames of a TUM recording that occur in a pair, each made once.
 class FrameViews {
@@ -28,17 +28,18 @@ class FrameViews {
   /// kInvalidArgument: a name is not a frame number. Errors of read_frame_bundles.
   static Result<FrameViews> read(const std::filesystem::path& directory,
                                  const std::vector<ListedPair>& pairs, const ReadProgress& progress,
-                                 const AlignmentOptions& options = {});
+                                 const alignment::AlignmentOptions& options = {});
 
   /// `name` must occur in one of the pairs.
   const Result<SharedView>& at(const std::string& name);
 
  private:
-  FrameViews(std::map<std::uint64_t, RecordedBundle> bundles, const SensorViewOptions& options);
+  FrameViews(std::map<std::uint64_t, RecordedBundle> bundles,
+             const alignment::SensorViewOptions& options);
 
-  SensorViewOptions options_;
+  alignment::SensorViewOptions options_;
   std::map<std::uint64_t, RecordedBundle> bundles_;
   std::map<std::uint64_t, Result<SharedView>> views_;
 };
 
-}  // namespace roomcast::alignment
+}  // namespace roomcast::recording

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/alignment/recorded/recorded_bundles.h"
+#include "roomcast/recording/align/recorded_bundles.h"
 
 #include <chrono>
 #include <memory>
@@ -8,17 +8,17 @@
 #include "roomcast/recording/dataset/recording.h"
 #include "roomcast/recording/playback/recording_source.h"
 
-namespace roomcast::alignment {
+namespace roomcast::recording {
 namespace {
 
 constexpr source::PlaybackOptions kOnce{.pace = source::Pace::kAsFastAsPossible, .loop = false};
 
 Result<RecordedBundle> read_sensor(const std::filesystem::path& rig, const std::string& name,
-                                   const BundleCaptureOptions& options) {
-  auto source = recording::open_rig_source(rig.string(), name, kOnce);
+                                   const alignment::BundleCaptureOptions& options) {
+  auto source = open_rig_source(rig.string(), name, kOnce);
   if (!source) return source.error();
   const source::SensorDescription& sensor = (*source)->description();
-  BundleCapture capture(sensor.name, sensor.calibration, options);
+  alignment::BundleCapture capture(sensor.name, sensor.calibration, options);
   source::CapturedFrame frame;
   for (bool enough = false; !enough;) {
     const auto more = (*source)->next(frame, {});
@@ -35,9 +35,9 @@ Result<RecordedBundle> read_sensor(const std::filesystem::path& rig, const std::
 
 RecordedBundle bundle_of_frame(const source::SensorDescription& sensor,
                                const source::CapturedFrame& frame,
-                               const BundleCaptureOptions& options) {
+                               const alignment::BundleCaptureOptions& options) {
   const std::string name = std::to_string(frame.index);
-  BundleCapture capture(name, sensor.calibration, options);
+  alignment::BundleCapture capture(name, sensor.calibration, options);
   const auto added = capture.add(frame.depth_mm, frame.color);
   if (!added) return {name, added.error()};
   return {name, capture.finish()};
@@ -45,10 +45,10 @@ RecordedBundle bundle_of_frame(const source::SensorDescription& sensor,
 
 }  // namespace
 
-Result<std::vector<RecordedBundle>> read_rig_bundles(const std::filesystem::path& directory,
-                                                     const ReadProgress& progress,
-                                                     const BundleCaptureOptions& options) {
-  const auto names = recording::rig_sensor_names(directory.string());
+Result<std::vector<RecordedBundle>> read_rig_bundles(
+    const std::filesystem::path& directory, const ReadProgress& progress,
+    const alignment::BundleCaptureOptions& options) {
+  const auto names = rig_sensor_names(directory.string());
   if (!names) return names.error();
   std::vector<RecordedBundle> bundles;
   for (const std::string& name : *names) {
@@ -62,8 +62,8 @@ Result<std::vector<RecordedBundle>> read_rig_bundles(const std::filesystem::path
 
 Result<std::map<std::uint64_t, RecordedBundle>> read_frame_bundles(
     const std::filesystem::path& directory, const std::set<std::uint64_t>& frames,
-    const ReadProgress& progress, const BundleCaptureOptions& options) {
-  auto source = recording::open_tum_source(directory.string(), kOnce);
+    const ReadProgress& progress, const alignment::BundleCaptureOptions& options) {
+  auto source = open_tum_source(directory.string(), kOnce);
   if (!source) return source.error();
   std::map<std::uint64_t, RecordedBundle> bundles;
   source::CapturedFrame frame;
@@ -83,4 +83,4 @@ Result<std::map<std::uint64_t, RecordedBundle>> read_frame_bundles(
   return bundles;
 }
 
-}  // namespace roomcast::alignment
+}  // namespace roomcast::recording

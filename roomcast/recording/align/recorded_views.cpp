@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/alignment/recorded/recorded_views.h"
+#include "roomcast/recording/align/recorded_views.h"
 
 #include <set>
 #include <utility>
 
-namespace roomcast::alignment {
+namespace roomcast::recording {
 namespace {
 
 constexpr std::size_t kMaxDigits = 18;
@@ -19,16 +19,18 @@ Result<std::uint64_t> frame_number(const std::string& name) {
 
 }  // namespace
 
-Result<SharedView> view_of(const RecordedBundle& recorded, const SensorViewOptions& options) {
+Result<SharedView> view_of(const RecordedBundle& recorded,
+                           const alignment::SensorViewOptions& options) {
   if (!recorded.bundle) return recorded.bundle.error();
-  auto view = make_sensor_view(*recorded.bundle, options);
+  auto view = alignment::make_sensor_view(*recorded.bundle, options);
   if (!view) return view.error();
-  return SharedView(std::make_shared<const SensorView>(std::move(*view)));
+  return SharedView(std::make_shared<const alignment::SensorView>(std::move(*view)));
 }
 
 Result<FrameViews> FrameViews::read(const std::filesystem::path& directory,
                                     const std::vector<ListedPair>& pairs,
-                                    const ReadProgress& progress, const AlignmentOptions& options) {
+                                    const ReadProgress& progress,
+                                    const alignment::AlignmentOptions& options) {
   std::set<std::uint64_t> frames;
   for (const ListedPair& pair : pairs) {
     for (const std::string& name : {pair.a, pair.b}) {
@@ -43,7 +45,7 @@ Result<FrameViews> FrameViews::read(const std::filesystem::path& directory,
 }
 
 FrameViews::FrameViews(std::map<std::uint64_t, RecordedBundle> bundles,
-                       const SensorViewOptions& options)
+                       const alignment::SensorViewOptions& options)
     : options_(options), bundles_(std::move(bundles)) {}
 
 const Result<SharedView>& FrameViews::at(const std::string& name) {
@@ -54,4 +56,4 @@ const Result<SharedView>& FrameViews::at(const std::string& name) {
   return found->second;
 }
 
-}  // namespace roomcast::alignment
+}  // namespace roomcast::recording

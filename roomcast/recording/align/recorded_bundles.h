@@ -13,12 +13,12 @@
 #include "roomcast/alignment/bundle/bundle_capture.h"
 #include "roomcast/core/result.h"
 
-namespace roomcast::alignment {
+namespace roomcast::recording {
 
 /// A sensor with its bundle, or the reason why it has none.
 struct RecordedBundle {
   std::string name;
-  Result<CalibrationBundle> bundle;
+  Result<alignment::CalibrationBundle> bundle;
 };
 
 /// Called with a description of what is being read.
@@ -28,12 +28,12 @@ using ReadProgress = std::function<void(const std::string& what)>;
 /// Errors of the recording's files.
 [[nodiscard]] Result<std::vector<RecordedBundle>> read_rig_bundles(
     const std::filesystem::path& directory, const ReadProgress& progress,
-    const BundleCaptureOptions& options = {});
+    const alignment::BundleCaptureOptions& options = {});
 
 /// Bundles of the frames with these numbers, by number. kNotFound, naming the frame: it does not
 /// exist. Errors of the recording's files.
 [[nodiscard]] Result<std::map<std::uint64_t, RecordedBundle>> read_frame_bundles(
     const std::filesystem::path& directory, const std::set<std::uint64_t>& frames,
-    const ReadProgress& progress, const BundleCaptureOptions& options = {});
+    const ReadProgress& progress, const alignment::BundleCaptureOptions& options = {});
 
-}  // namespace roomcast::alignment
+}  // namespace roomcast::recording
