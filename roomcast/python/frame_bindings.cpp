@@ -123,6 +123,12 @@ Frame frame_named(const SharedSet& set, const std::string& sensor) {
   return {set, static_cast<std::size_t>(frame - set->set.frames.data())};
 }
 
+py::object iterator_of(const SharedSet& set) {
+  py::list frames;
+  for (std::size_t i = 0; i < set->set.frames.size(); ++i) frames.append(Frame{set, i});
+  return py::iter(frames);
+}
+
 std::vector<std::string> names_in(const SharedSet& set) {
   std::vector<std::string> names;
   for (const recording::SetFrame& frame : set->set.frames)
@@ -172,6 +178,7 @@ void add_frame_set(py::module_& module) {
       "The frames of all sensors at one instant. A sensor that missed it has its last frame.\n\n"
       "frames[0] and frames[\"s0\"] are Frames; iterating gives all of them.")
       .def("__len__", [](const RoomSet& set) { return set.set.frames.size(); })
+      .def("__iter__", [](const std::shared_ptr<RoomSet>& set) { return iterator_of(set); })
       .def("__getitem__", [](const std::shared_ptr<RoomSet>& set,
                              py::ssize_t index) { return frame_at(set, index); })
       .def("__getitem__", [](const std::shared_ptr<RoomSet>& set,

@@ -35,10 +35,12 @@ constexpr const char* kSensorDoc =
     "depth_mode: 'live' (few bytes, the noise is not sent), 'near-lossless' (within "
     "depth_bound_mm,\n"
     "1 to 63) or 'lossless'. color_kbit_per_s: 50 to 100000; None: 790.\n"
+    "send_unwatched: sends while nobody watches, too; usually it does not.\n"
     "A broken connection is taken up again. Raises Error if there is no hub, or if it refuses.";
 constexpr const char* kSendDoc =
-    "Encodes and sends one frame, or skips it if earlier frames still wait for the network: the\n"
-    "report tells which. Does not wait for the network.\n\n"
+    "Encodes and sends one frame, or skips it if nobody watches or if earlier frames still wait "
+    "for\n"
+    "the network: the report tells which. Does not wait for the network.\n\n"
     "depth: H x W uint16, millimetres, 0: no reading. color: H x W x 3 uint8, sRGB, of the colour\n"
     "camera's size; None: no colour in this frame.\n"
     "monotonic_ns: capture time by time.monotonic_ns(), up to 10 s ago; None: now.\n"
@@ -47,7 +49,7 @@ constexpr const char* kSendDoc =
     "takes, or if the connection has ended for good.";
 
 struct SendReport {
-  bool sent = false, connected = false;
+  bool sent = false, connected = false, watched = false;
   std::size_t frames_waiting = 0, max_frames_waiting = client::Publisher::kMaxFramesWaiting;
   std::optional<std::uint32_t> seq;
   std::uint64_t frames_sent = 0, frames_skipped = 0, bytes_sent = 0;
@@ -67,6 +69,7 @@ SendReport report_of(const sensor::FrameSender& sender,
   SendReport report;
   report.sent = published.has_value();
   report.connected = !sender.publisher().problem();
+  report.watched = sender.publisher().frames_wanted();
   report.frames_waiting = stats.frames_waiting;
   if (published) report.seq = published->seq;
   report.frames_sent = stats.frames_sent;
@@ -177,6 +180,7 @@ std::unique_ptr<SendingSensor> make_sensor(const std::string& url, const std::st
   if (!room_from_sensor.is_none())
     options.world_from_depth = transform_of(room_from_sensor, "room_from_sensor");
   options.fps = fps;
+  options.send_unwatched = send_unwatched;
   sensor::CodecChoice codec;
   codec.depth_mode = depth_mode_of(depth_mode);
   codec.depth_bound_mm = depth_bound_mm;
@@ -195,17 +199,21 @@ std::unique_ptr<SendingSensor> make_sensor(const std::string& url, const std::st
 void add_report(py::module_& module) {
   py::class_<SendReport>(module, "SendReport",
                          "What became of a frame, and how the network keeps up.")
-      .def_readonly("sent", &SendReport::sent,
-                    "False: skipped, because the network does not keep up, or because there is no\n"
-                    "connection (or no room time yet, just after joining).")
+      .def_readonly(
+          "sent", &SendReport::sent,
+          "False: skipped, because nobody watches, because the network does not keep up, or\n"
+          "because there is no connection (or no room time yet, just after joining).")
       .def_readonly("connected", &SendReport::connected)
+      .def_readonly("watched", &SendReport::watched,
+                    "False: nobody watches, so frames are skipped (unless send_unwatched is set).")
       .def_readonly("frames_waiting", &SendReport::frames_waiting,
                     "Frames that are not on the network yet.")
       .def_readonly("max_frames_waiting", &SendReport::max_frames_waiting,
                     "With so many waiting, the next one is skipped.")
       .def_readonly("seq", &SendReport::seq, "Number of the frame; None if it was not sent.")
       .def_readonly("frames_sent", &SendReport::frames_sent, "Since the sensor joined.")
-      .def_readonly("frames_skipped", &SendReport::frames_skipped, "Since the sensor joined.")
+      .def_readonly("frames_skipped", &SendReport::frames_skipped,
+                    "Since the sensor joined; without those that nobody would have watched.")
       .def_readonly("bytes_sent", &SendReport::bytes_sent, "Since the sensor joined.")
       .def_readonly("rate_share", &SendReport::rate_share,
                     "Of the full colour rate, what the network carries: 0 to 1.");
@@ -219,7 +227,8 @@ void add_sensors(py::module_& module) {
       .def(py::init(&make_sensor), "url"_a, "name"_a, "intrinsics"_a, py::kw_only(),
            "color_intrinsics"_a = py::none(), "color_from_depth"_a = py::none(),
            "room_from_sensor"_a = py::none(), "fps"_a = 30.0, "depth_mode"_a = "live",
-           "depth_bound_mm"_a = 2, "color_kbit_per_s"_a = py::none(), "token"_a = "", "room"_a = "")
+           "depth_bound_mm"_a = 2, "color_kbit_per_s"_a = py::none(), "send_unwatched"_a = false,
+           "token"_a = "", "room"_a = "")
       .def("send", &SendingSensor::send, "depth"_a, "color"_a = py::none(), py::kw_only(),
            "monotonic_ns"_a = py::none(), kSendDoc)
       .def_property_readonly("problem", &SendingSensor::problem,

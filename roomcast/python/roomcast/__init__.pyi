@@ -168,6 +168,8 @@ class SendReport:
     @property
     def connected(self) -> bool: ...
     @property
+    def watched(self) -> bool: ...
+    @property
     def frames_waiting(self) -> int: ...
     @property
     def max_frames_waiting(self) -> int: ...
@@ -196,6 +198,7 @@ class Sensor:
         depth_mode: str = "live",
         depth_bound_mm: int = 2,
         color_kbit_per_s: int | None = None,
+        send_unwatched: bool = False,
         token: str = "",
         room: str = "",
     ) -> None: ...

@@ -139,7 +139,7 @@ class Sensors(TestCase):
         return sensor
 
     def test_tells_what_became_of_frames(self):
-        with self.sensor() as sensor:
+        with self.sensor(send_unwatched=True) as sensor:
             self.assertIsNone(sensor.problem)
             reports = []
             until = time.monotonic() + 20
@@ -154,9 +154,24 @@ class Sensors(TestCase):
         self.assertLessEqual(last.frames_waiting, last.max_frames_waiting)
         self.assertGreater(last.bytes_sent, 0)
 
+    def test_sends_when_somebody_watches(self):
+        sensor = self.sensor()
+        self.assertTrue(self.send_until(sensor, lambda report: not report.watched))
+        self.assertFalse(sensor.send(depth_mm(0, 0)).sent)
+        with roomcast.watch(self.url):
+            self.assertTrue(self.send_until(sensor, lambda report: report.sent and report.watched))
+
+    def send_until(self, sensor, done):
+        until = time.monotonic() + 20
+        while time.monotonic() < until:
+            if done(sensor.send(depth_mm(0, 0))):
+                return True
+            time.sleep(0.02)
+        return False
+
     def test_skips_frames_while_the_network_does_not_take_them(self):
         """A hub that is stopped takes nothing: what waits stays bounded, and the sensor goes on."""
-        sensor = self.sensor(depth_mode="lossless")
+        sensor = self.sensor(depth_mode="lossless", send_unwatched=True)
         noise = np.random.default_rng(7).integers(500, 8000, (HEIGHT, WIDTH), np.uint16)
         while not sensor.send(noise).sent:
             time.sleep(0.02)
