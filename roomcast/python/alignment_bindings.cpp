@@ -22,9 +22,10 @@ using alignment::PairReport;
 using alignment::SensorReport;
 
 constexpr const char* kAlignDoc =
-    "Estimates the poses of a rig's sensors from what they see, as `roomcast align` does: without\n"
-    "markers, and refusing sensors for which the evidence is not conclusive. Takes seconds to\n"
-    "minutes; changes no file (`roomcast align --write` writes the poses into rig.json).\n\n"
+    "Estimates the poses of a rig's sensors from what they see, as `roomcast align` does:\n"
+    "without markers, and refusing sensors for which the evidence is not conclusive. Takes\n"
+    "seconds to minutes; changes no file (`roomcast align --write` writes the poses into\n"
+    "rig.json).\n\n"
     "Raises Error if the folder is no rig, or damaged.";
 
 AlignmentReport align(const std::filesystem::path& path) {

@@ -16,8 +16,8 @@ using namespace py::literals;
 
 constexpr const char* kIntrinsicsDoc =
     "A pinhole camera with Brown-Conrady distortion, as in OpenCV.\n\n"
-    "Pixel centres are at whole numbers. fx, fy, cx, cy: pixels. Camera frame: x right, y down,\n"
-    "z forward.";
+    "Pixel centres are at whole numbers. fx, fy, cx, cy: pixels. Camera frame: x right, y\n"
+    "down, z forward.";
 
 CameraIntrinsics make_intrinsics(int width, int height, double fx, double fy, double cx, double cy,
                                  double k1, double k2, double p1, double p2, double k3) {

@@ -45,37 +45,35 @@ using Corner = std::array<float, 3>;
 using Crop = std::optional<std::pair<Corner, Corner>>;
 
 constexpr const char* kFrameDoc =
-    "One sensor's part of a frame set. Its arrays are read-only views without a copy; they stay\n"
-    "valid as long as they are used, also after the recording or the room is closed.";
+    "One sensor's part of a frame set. Its arrays are read-only views without a copy; they\n"
+    "stay valid as long as they are used, also after the recording or the room is closed.";
 constexpr const char* kDepthDoc =
-    "H x W uint16, millimetres along the optical axis (z), 0: no reading. The depth scale of the\n"
-    "sensor is applied.";
+    "H x W uint16, millimetres along the optical axis (z), 0: no reading. The depth scale\n"
+    "of the sensor is applied.";
 constexpr const char* kColorDoc =
-    "H x W x 3 uint8, sRGB, in the depth picture's grid: color[y, x] belongs to depth[y, x].\n"
-    "None: the frame has no colour.";
+    "H x W x 3 uint8, sRGB, in the depth picture's grid: color[y, x] belongs to depth[y,\n"
+    "x]. None: the frame has no colour.";
 constexpr const char* kSeenDoc =
-    "H x W uint8, 0 where the colour camera did not see the point and the colour is filled in.\n"
-    "None: the frame has no colour.";
+    "H x W uint8, 0 where the colour camera did not see the point and the colour is filled\n"
+    "in. None: the frame has no colour.";
 constexpr const char* kPoseDoc =
-    "4 x 4 float64: maps points of the depth camera (x right, y down, z forward) to the room\n"
-    "(y up, floor at y = 0), metres. None: the pose of the sensor is not known.";
+    "4 x 4 float64: maps points of the depth camera (x right, y down, z forward) to the\n"
+    "room (y up, floor at y = 0), metres. None: the pose of the sensor is not known.";
 constexpr const char* kTimeDoc =
-    "Capture time, nanoseconds since 1970-01-01 UTC; since the recording began where the "
-    "recording\n"
-    "does not tell its date (Recording.began_at_ns is None).";
+    "Capture time, nanoseconds since 1970-01-01 UTC; since the recording began where the\n"
+    "recording does not tell its date (Recording.began_at_ns is None).";
 constexpr const char* kFramePointsDoc =
     "A point for each reading on a surface, with normals and colours (see PointCloud).\n\n"
-    "In the room's frame, or in the sensor's where room_from_sensor is None. Pixels on the edge "
-    "of\n"
-    "a depth step, which sensors mix, are left out.\n"
+    "In the room's frame, or in the sensor's where room_from_sensor is None. Pixels on the\n"
+    "edge of a depth step, which sensors mix, are left out.\n"
     "voxel_m: above 0, one point for each cube of this size, the mean of its points.\n"
     "crop: two opposite corners (x, y, z) of a box; points outside it are left out.";
 constexpr const char* kSetPointsDoc =
-    "The points of all placed sensors in the room's frame: the same as `roomcast export` "
+    "The points of all placed sensors in the room's frame: the same as `roomcast export`\n"
     "writes.\n\n"
     "Where several sensors see the same surface, the points of the sensor that sees it most\n"
-    "clearly. Sensors without a pose are left out, but for a single one, whose frame is used "
-    "then.\n"
+    "clearly. Sensors without a pose are left out, but for a single one, whose frame is\n"
+    "used then.\n"
     "voxel_m: above 0, one point for each cube of this size, the mean of its points.\n"
     "crop: two opposite corners (x, y, z) of a box; points outside it are left out.\n"
     "keep_doubles: all points of all sensors.";

@@ -30,11 +30,12 @@ using Pixel = std::tuple<std::string, double, double>;
 using Place = std::variant<std::string, Pixel, std::array<double, 3>>;
 
 constexpr const char* kMeasureDoc =
-    "The distance between two places in a recorded room, with its expected error, as `roomcast\n"
-    "measure` does it: by the median of many frames, without people who walk through.\n\n"
-    "a, b: ('s0', x, y), a depth pixel of a sensor; or (x, y, z), metres in the room; or the same "
-    "as\n"
-    "text, 's0:320,240' or '1.2,0.8,-0.4'. start_s: measures from this second on.\n"
+    "The distance between two places in a recorded room, with its expected error, as\n"
+    "`roomcast measure` does it: by the median of many frames, without people who walk\n"
+    "through.\n\n"
+    "a, b: ('s0', x, y), a depth pixel of a sensor; or (x, y, z), metres in the room; or\n"
+    "the same as text, 's0:320,240' or '1.2,0.8,-0.4'. start_s: measures from this second\n"
+    "on.\n"
     "Raises Error if there is no surface at a place, or if the recording cannot be read.";
 
 PickedPlace picked(const Place& place) {

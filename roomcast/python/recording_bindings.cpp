@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -25,17 +26,17 @@ namespace py = pybind11;
 using namespace py::literals;
 
 constexpr const char* kRecordingDoc =
-    "An opened recording. Iterating gives its FrameSets from the beginning; every loop reads it\n"
-    "anew. len() is the number of its sets, where it is known: of rigs and TUM recordings\n"
-    "(undamaged), not of .mcap files, for which it raises TypeError.\n\n"
+    "An opened recording. Iterating gives its FrameSets from the beginning; every loop\n"
+    "reads it anew. len() is the number of its sets, where it is known: of rigs and TUM\n"
+    "recordings (undamaged), not of .mcap files, for which it raises TypeError.\n\n"
     "Threads: several may use it; each should have an iterator of its own.";
 constexpr const char* kIteratorDoc =
-    "Reads a recording set by set. next() raises Error at a damaged place; the next call goes on\n"
-    "behind it where that is possible.";
+    "Reads a recording set by set. next() raises Error at a damaged place; the next call\n"
+    "goes on behind it where that is possible.";
 constexpr const char* kOpenDoc =
-    "Opens a recording: a file of `roomcast record` or of a hub (.mcap), or the folder of a rig "
-    "or\n"
-    "of a TUM recording. Recordings of other programs: `roomcast import` makes rigs of them.\n\n"
+    "Opens a recording: a file of `roomcast record` or of a hub (.mcap), or the folder of a\n"
+    "rig or of a TUM recording. Recordings of other programs: `roomcast import` makes rigs\n"
+    "of them.\n\n"
     "start_s: begins with the first set at this time or later, seconds after the beginning.\n"
     "Raises Error if it is missing, damaged from the beginning, or none of these.";
 
@@ -89,6 +90,7 @@ class OpenedRecording {
     sensors_ = reader.sensors();
     length_ = reader.length();
     began_at_ = reader.began_at();
+    damage_ = reader.damage();
     may_be_exported_ = reader.may_be_exported();
     set_count_ = reader.set_count();
   }
@@ -113,6 +115,7 @@ class OpenedRecording {
     if (began_at_ == nanoseconds(0)) return std::nullopt;
     return began_at_.count();
   }
+  [[nodiscard]] const std::optional<std::string>& damage() const { return damage_; }
   [[nodiscard]] bool may_be_exported() const { return may_be_exported_; }
   [[nodiscard]] std::uint64_t set_count() const {
     if (set_count_) return *set_count_;
@@ -132,6 +135,7 @@ class OpenedRecording {
   std::shared_ptr<SetIterator> first_;
   std::vector<recording::SetSensor> sensors_;
   nanoseconds length_{}, began_at_{};
+  std::optional<std::string> damage_;
   bool may_be_exported_ = true;
   std::optional<std::uint64_t> set_count_;
 };
@@ -176,6 +180,10 @@ void add_recordings(py::module_& module) {
       .def_property_readonly(
           "began_at_ns", &OpenedRecording::began_at_ns,
           "Nanoseconds since 1970-01-01 UTC; None where the recording does not tell its date.")
+      .def_property_readonly(
+          "damage", &OpenedRecording::damage,
+          "Why the end of the file is missing, as after a loss of power: what is "
+          "before it is read. None: it is complete.")
       .def_property_readonly("may_be_exported", &OpenedRecording::may_be_exported,
                              "False if the room's owner did not allow exporting it.")
       .def("__repr__", [](const OpenedRecording& recording) {

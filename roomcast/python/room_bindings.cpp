@@ -23,21 +23,20 @@ using namespace py::literals;
 using Steady = std::chrono::steady_clock;
 
 constexpr const char* kRoomDoc =
-    "A live room. Iterating gives its newest FrameSet, again and again, each once: a program that\n"
-    "is slower than the room misses sets, and delay does not grow. A broken connection is taken "
-    "up\n"
-    "again; where it has ended for good, Error says why. close() by another thread ends a loop.";
+    "A live room. Iterating gives its newest FrameSet, again and again, each once: a\n"
+    "program that is slower than the room misses sets, and delay does not grow. A broken\n"
+    "connection is taken up again; where it has ended for good, Error says why. close() by\n"
+    "another thread ends a loop.";
 constexpr const char* kWatchDoc =
     "Joins a room as a viewer and waits for the hub's answer.\n\n"
     "url: 'ws://host:port', or 'wss://host:port#sha256=...'.\n"
-    "token: where the room asks for one; or a one-time code. room: the name of the room, where "
-    "the\n"
-    "hub has several. name: shown to the others in the room.\n"
+    "token: where the room asks for one; or a one-time code. room: the name of the room,\n"
+    "where the hub has several. name: shown to the others in the room.\n"
     "Raises Error if there is no hub, or if it refuses.";
 constexpr const char* kNewestDoc =
     "The newest FrameSet, once there is one newer than the last that was given; None after\n"
-    "timeout_s (None: waits as long as it takes). Returns as soon as one sensor has a new frame:\n"
-    "just after joining, see FrameSet.complete.";
+    "timeout_s (None: waits as long as it takes). Returns as soon as one sensor has a new\n"
+    "frame: just after joining, see FrameSet.complete.";
 
 /// Its members are used with the interpreter's lock only.
 class WatchedRoom {

@@ -24,29 +24,27 @@ constexpr std::chrono::seconds kMaxAge{10};  // older: of another clock
 constexpr std::chrono::milliseconds kMaxAhead{500};
 
 constexpr const char* kSensorDoc =
-    "A sensor of a room: sends depth and colour. Joins the room and waits for the hub's answer.\n\n"
-    "url, token, room: as watch(). name: the sensor's identity; one that comes back under its "
-    "name\n"
-    "keeps its pose. intrinsics: of the depth camera.\n"
-    "color_intrinsics, color_from_depth (4 x 4): of the colour camera; None: colour comes in the\n"
-    "depth picture's grid, or color_from_depth is the identity. Colour is registered to depth "
-    "here.\n"
-    "room_from_sensor: 4 x 4, the pose of the depth camera; None: not known. fps: above 0 to 240.\n"
-    "depth_mode: 'live' (few bytes, the noise is not sent), 'near-lossless' (within "
-    "depth_bound_mm,\n"
-    "1 to 63) or 'lossless'. color_kbit_per_s: 50 to 100000; None: 790.\n"
-    "send_unwatched: sends while nobody watches, too; usually it does not.\n"
-    "A broken connection is taken up again. Raises Error if there is no hub, or if it refuses.";
+    "A sensor of a room: sends depth and colour. Joins the room and waits for the hub's\n"
+    "answer.\n\n"
+    "url, token, room: as watch(). name: the sensor's identity; one that comes back under\n"
+    "its name keeps its pose. intrinsics: of the depth camera.\n"
+    "color_intrinsics, color_from_depth (4 x 4): of the colour camera; None: colour comes\n"
+    "in the depth picture's grid, or color_from_depth is the identity. Colour is registered\n"
+    "to depth here.\n"
+    "room_from_sensor: 4 x 4, the pose of the depth camera; None: not known. fps: above 0\n"
+    "to 240.\n"
+    "depth_mode: 'live' (few bytes, the noise is not sent), 'near-lossless' (within\n"
+    "depth_bound_mm, 1 to 63) or 'lossless'. color_kbit_per_s: 50 to 100000; None: 790.\n"
+    "send_unwatched: sends while nobody watches, too; usually it does not. A broken\n"
+    "connection is taken up again. Raises Error if there is no hub, or if it refuses.";
 constexpr const char* kSendDoc =
-    "Encodes and sends one frame, or skips it if nobody watches or if earlier frames still wait "
-    "for\n"
-    "the network: the report tells which. Does not wait for the network.\n\n"
-    "depth: H x W uint16, millimetres, 0: no reading. color: H x W x 3 uint8, sRGB, of the colour\n"
-    "camera's size; None: no colour in this frame.\n"
+    "Encodes and sends one frame, or skips it if nobody watches, or if earlier frames still\n"
+    "wait for the network: the report tells which. Does not wait for the network.\n\n"
+    "depth: H x W uint16, millimetres, 0: no reading. color: H x W x 3 uint8, sRGB, of the\n"
+    "colour camera's size; None: no colour in this frame.\n"
     "monotonic_ns: capture time by time.monotonic_ns(), up to 10 s ago; None: now.\n"
-    "Raises Error if a picture has another size or type, if the encoded frame is larger than a "
-    "hub\n"
-    "takes, or if the connection has ended for good.";
+    "Raises Error if a picture has another size or type, if the encoded frame is larger\n"
+    "than a hub takes, or if the connection has ended for good.";
 
 struct SendReport {
   bool sent = false, connected = false, watched = false;
@@ -168,7 +166,7 @@ std::unique_ptr<SendingSensor> make_sensor(const std::string& url, const std::st
                                            const py::object& color_from_depth,
                                            const py::object& room_from_sensor, double fps,
                                            const std::string& depth_mode, int depth_bound_mm,
-                                           std::optional<int> color_kbit_per_s,
+                                           std::optional<int> color_kbit_per_s, bool send_unwatched,
                                            const std::string& token, const std::string& room) {
   client::PublisherOptions options;
   options.hub_url = url;

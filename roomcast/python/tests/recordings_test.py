@@ -82,6 +82,7 @@ class Recordings(TestCase):
             sensor.prints("joined")
         run_program("record", file, "--hub", url, "--seconds", 2)
         with roomcast.open(file) as recording:
+            self.assertIsNone(recording.damage)
             self.assertGreater(recording.began_at_ns, 1_600_000_000 * 10**9)
             self.assertAlmostEqual(recording.duration_s, 2, delta=1)
             with self.assertRaises(TypeError):
@@ -103,7 +104,9 @@ class Recordings(TestCase):
             data = whole.read_bytes()
             part.write_bytes(data[: int(share * len(data))])
             try:
-                self.assertGreaterEqual(sum(1 for _ in roomcast.open(part)), 0)
+                recording = roomcast.open(part)
+                self.assertRegex(recording.damage, r"part\.mcap")
+                self.assertGreaterEqual(sum(1 for _ in recording), 1 if share > 0.5 else 0)
             except roomcast.Error as error:
                 self.assertRegex(str(error), r"part\.mcap")
                 self.assertIn(error.code, ("malformed", "unsupported"))

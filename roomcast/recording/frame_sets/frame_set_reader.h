@@ -56,6 +56,8 @@ class FrameSetReader {
   /// The instant from which FrameSet::time counts, since 1970-01-01 UTC; 0 if the recording does
   /// not tell it.
   [[nodiscard]] virtual nanoseconds began_at() const { return {}; }
+  /// Why the end of the recording is missing, where it is: everything before is read.
+  [[nodiscard]] virtual std::optional<std::string> damage() const { return std::nullopt; }
   /// False if the recorder was not permitted to export the room.
   [[nodiscard]] virtual bool may_be_exported() const { return true; }
   /// Returns false at the end. An error describes a damaged place; if possible, the next call
