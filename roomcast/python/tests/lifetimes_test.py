@@ -77,7 +77,8 @@ class Lifetimes(TestCase):
 
     def test_others_run_while_a_recording_is_read(self):
         """Reading leaves the interpreter to other threads."""
-        recording, counted, done = roomcast.open(write_rig(self.folder(), instants=40)), 0, threading.Event()
+        recording = roomcast.open(write_rig(self.folder(), instants=12, enlarged=16))  # some 10 ms each
+        counted, done = 0, threading.Event()
         thread = threading.Thread(target=lambda: (list(recording), done.set()))
         interval = sys.getswitchinterval()
         sys.setswitchinterval(60)  # only a thread that gives way lets others run

@@ -51,10 +51,11 @@ def room_from_sensor(sensor):
     return matrix
 
 
-def write_rig(folder, sensors=2, instants=6, depth_scales=None, placed=True):
-    """A rig whose colour is in the depth grid; returns its path."""
+def write_rig(folder, sensors=2, instants=6, depth_scales=None, placed=True, enlarged=1):
+    """A rig whose colour is in the depth grid; returns its path. `enlarged`: each pixel becomes so many, squared."""
     rig = Path(folder) / "rig"
-    camera = dict(width=WIDTH, height=HEIGHT, fx=60, fy=60, cx=31.5, cy=23.5)
+    camera = dict(width=enlarged * WIDTH, height=enlarged * HEIGHT, fx=60 * enlarged, fy=60 * enlarged)
+    camera.update(cx=enlarged * 32 - 0.5, cy=enlarged * 24 - 0.5)
     entries = []
     for n in range(sensors):
         for kind in ("depth", "rgb"):
@@ -66,7 +67,7 @@ def write_rig(folder, sensors=2, instants=6, depth_scales=None, placed=True):
         for kind, picture in (("depth", lambda i: depth_mm(n, i)), ("rgb", lambda i: color(n))):
             lines = []
             for i in range(instants):
-                (rig / f"s{n}/{kind}/{i:06}.png").write_bytes(png(picture(i)))
+                (rig / f"s{n}/{kind}/{i:06}.png").write_bytes(png(picture(i).repeat(enlarged, 0).repeat(enlarged, 1)))
                 lines.append(f"{100 + i / FPS:.6f} {kind}/{i:06}.png\n")
             (rig / f"s{n}/{kind}.txt").write_text("".join(lines))
         pose = room_from_sensor(n).ravel().tolist() if placed else None

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The wheel installs into a fresh virtual environment, and what is installed works there. (NumPy is the system's: nothing
-is fetched.)"""
+"""The wheel installs into a fresh virtual environment, and what is installed works there.
+
+NumPy is the system's: nothing is fetched.
+"""
 import importlib.util
 import os
 import subprocess
