@@ -7,7 +7,7 @@ import time
 import numpy as np
 
 import roomcast
-from support import HEIGHT, WIDTH, TestCase, color, depth_mm, room_from_sensor, run_python, start_python
+from support import HEIGHT, WIDTH, TestCase, color, depth_mm, room_from_sensor, run_program, run_python, start_python
 
 CAMERA = roomcast.Intrinsics(width=WIDTH, height=HEIGHT, fx=60, fy=60, cx=31.5, cy=23.5)
 NOBODY = "ws://127.0.0.1:1"
@@ -127,6 +127,12 @@ class Rooms(TestCase):
             cloud = next(room).points()
             with self.assertRaisesRegex(roomcast.Error, "does not let viewers export"):
                 cloud.write_ply(self.folder() / "a.ply")
+        file = self.folder() / "room.mcap"
+        run_program("record", file, "--hub", url, "--seconds", 1)
+        with roomcast.open(file) as recording:
+            self.assertFalse(recording.may_be_exported)
+            with self.assertRaisesRegex(roomcast.Error, "did not let viewers export"):
+                next(iter(recording)).points().write_ply(self.folder() / "a.ply")
 
 
 class Sensors(TestCase):
