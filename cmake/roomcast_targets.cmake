@@ -95,3 +95,18 @@ function(roomcast_library name)
     target_link_libraries(roomcast_${name}_gl_test PRIVATE roomcast_${name} GTest::gtest_main)
   endif()
 endfunction()
+
+# roomcast_part_of_shared_library(NAME...): these libraries go into a shared one, whose objects must be position-independent
+# and which does not show them.
+function(roomcast_part_of_shared_library)
+  foreach(part IN LISTS ARGN)
+    get_target_property(type roomcast_${part} TYPE)
+    if(NOT type STREQUAL "INTERFACE_LIBRARY")
+      set_target_properties(roomcast_${part} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden)
+    endif()
+    if(TARGET roomcast_${part}_inner_loops)
+      set_target_properties(roomcast_${part}_inner_loops PROPERTIES
+        POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden)
+    endif()
+  endforeach()
+endfunction()

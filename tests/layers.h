@@ -180,6 +180,10 @@ inline const std::vector<Layer> kLayers = {
     {"alignment",
      "alignment/bundle alignment/feature alignment/homography alignment/motion alignment/person alignment/prior "
      "alignment/rig core"},
+    {"recording/align",
+     "alignment alignment/bundle alignment/homography alignment/rig core geometry io recording/dataset "
+     "recording/playback",
+     "alignment/pair"},
     {"alignment/service",
      "alignment/board alignment/bundle alignment/pair alignment/person alignment/prior "
      "alignment/rig alignment/view client client/room codec core geometry io wire",
@@ -244,6 +248,9 @@ inline const std::vector<Layer> kLayers = {
     {"capi",
      "client client/room codec core geometry recording/recorder sensor/sender",
      "hub/server"},
+    {"python",
+     "client client/room codec core geometry io recording/align recording/export recording/frame_sets "
+     "recording/measure recording/recorder sensor/sender"},
     {"cli",
      "* bench"},
     {"web/wasm",

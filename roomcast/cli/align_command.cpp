@@ -11,12 +11,12 @@
 #include "roomcast/alignment/alignment_options.h"
 #include "roomcast/cli/alignment_text.h"
 #include "roomcast/cli/command.h"
-#include "roomcast/cli/pair_list.h"
 #include "roomcast/cli/print.h"
-#include "roomcast/cli/recorded_alignment.h"
-#include "roomcast/cli/recorded_views.h"
 #include "roomcast/cli/rig_poses.h"
 #include "roomcast/cli/status_line.h"
+#include "roomcast/recording/align/pair_list.h"
+#include "roomcast/recording/align/recorded_alignment.h"
+#include "roomcast/recording/align/recorded_views.h"
 
 namespace roomcast::cli {
 namespace {
@@ -29,14 +29,14 @@ struct AlignOptions {
   alignment::AlignmentOptions stages;
 };
 
-alignment::PairReport align_pair(const ListedPair& pair, const AlignOptions& options,
-                                 FrameViews& frames) {
+alignment::PairReport align_pair(const recording::ListedPair& pair, const AlignOptions& options,
+                                 recording::FrameViews& frames) {
   alignment::PairReport refused;
   refused.a = pair.a;
   refused.b = pair.b;
   refused.reason = pair.a + " is listed as a pair with itself; name two frames";
   if (pair.a == pair.b) return refused;
-  std::vector<SharedView> views;
+  std::vector<recording::SharedView> views;
   for (const std::string& name : {pair.a, pair.b}) {
     const auto& view = frames.at(name);
     if (!view) {
@@ -45,17 +45,17 @@ alignment::PairReport align_pair(const ListedPair& pair, const AlignOptions& opt
     }
     views.push_back(*view);
   }
-  return align_views(views, options.method, options.stages, {}).pairs.at(0);
+  return recording::align_views(views, options.method, options.stages, {}).pairs.at(0);
 }
 
 Result<alignment::AlignmentReport> align_pairs(const AlignOptions& options, StatusLine& line) {
-  const auto pairs = read_pair_list(options.pairs);
+  const auto pairs = recording::read_pair_list(options.pairs);
   if (!pairs) return pairs.error();
-  auto frames = FrameViews::read(
+  auto frames = recording::FrameViews::read(
       options.recording, *pairs, [&](const std::string& what) { line.show(what); }, options.stages);
   if (!frames) return frames.error();
   alignment::AlignmentReport report;
-  for (const ListedPair& pair : *pairs) {
+  for (const recording::ListedPair& pair : *pairs) {
     line.show(fmt::format("pair {} of {}: {} and {}", report.pairs.size() + 1, pairs->size(),
                           pair.a, pair.b));
     report.pairs.push_back(align_pair(pair, options, *frames));
@@ -88,10 +88,10 @@ Status run_align(const AlignOptions& options) {
   if (Status status = check_recording(options); !status) return status;
   StatusLine line;
   const auto show = [&line](const std::string& what) { line.show(what); };
-  const auto report = options.pairs.empty()
-                          ? align_recording(options.recording, options.method, options.stages, show,
-                                            alignment::DepthScaling::kEstimated)
-                          : align_pairs(options, line);
+  const auto report = options.pairs.empty() ? recording::align_recording(
+                                                  options.recording, options.method, options.stages,
+                                                  show, alignment::DepthScaling::kEstimated)
+                                            : align_pairs(options, line);
   if (!report) return report.error();
   if (options.write) {
     if (Status written = write_rig_poses(options.recording, *report); !written) return written;

@@ -20,8 +20,8 @@
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/frames_rig.h"
 #include "roomcast/cli/number_option.h"
-#include "roomcast/cli/recorded_views.h"
 #include "roomcast/cli/status_line.h"
+#include "roomcast/recording/align/recorded_views.h"
 #include "roomcast/recording/dataset/rig_json.h"
 #include "roomcast/simulator/scene/room.h"
 
@@ -35,10 +35,11 @@ constexpr std::size_t kOverlapPoints = 4000;
 
 /// All pairs of a rig with known poses. The overlap is measured in both directions at the true
 /// pose.
-Result<bench::AlignInput> read_rig_input(const fs::path& folder, const ReadProgress& progress) {
+Result<bench::AlignInput> read_rig_input(const fs::path& folder,
+                                         const recording::ReadProgress& progress) {
   const auto rig = recording::read_rig_json(folder / "rig.json");
   if (!rig) return rig.error();
-  const auto bundles = read_rig_bundles(folder, progress);
+  const auto bundles = recording::read_rig_bundles(folder, progress);
   if (!bundles) return bundles.error();
   bench::AlignInput input;
   input.name = folder.filename().string();
@@ -46,7 +47,7 @@ Result<bench::AlignInput> read_rig_input(const fs::path& folder, const ReadProgr
   std::vector<RigidTransform> world_from_depth;
   for (std::size_t i = 0; i < bundles->size(); ++i) {
     const auto& truth = rig->sensors[i].world_from_depth;
-    const auto view = view_of((*bundles)[i]);
+    const auto view = recording::view_of((*bundles)[i]);
     if (!truth || !view) continue;
     input.views.push_back(*view);
     world_from_depth.push_back(*truth);
@@ -62,14 +63,15 @@ Result<bench::AlignInput> read_rig_input(const fs::path& folder, const ReadProgr
   return input;
 }
 
-Result<bench::AlignInput> read_pairs_input(const fs::path& folder, const ReadProgress& progress) {
-  const auto pairs = read_pair_list(folder / kPairList);
+Result<bench::AlignInput> read_pairs_input(const fs::path& folder,
+                                           const recording::ReadProgress& progress) {
+  const auto pairs = recording::read_pair_list(folder / kPairList);
   if (!pairs) return pairs.error();
-  auto frames = FrameViews::read(folder, *pairs, progress);
+  auto frames = recording::FrameViews::read(folder, *pairs, progress);
   if (!frames) return frames.error();
   bench::AlignInput input;
   input.name = folder.filename().string();
-  for (const ListedPair& pair : *pairs) {
+  for (const recording::ListedPair& pair : *pairs) {
     const auto& a = frames->at(pair.a);
     const auto& b = frames->at(pair.b);
     if (!a || !b || !pair.b_from_a || !pair.overlap) continue;

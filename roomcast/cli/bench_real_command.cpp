@@ -8,8 +8,8 @@
 #include "bench/real/real_bench.h"
 #include "roomcast/cli/bench_commands.h"
 #include "roomcast/cli/number_option.h"
-#include "roomcast/cli/recorded_alignment.h"
 #include "roomcast/cli/status_line.h"
+#include "roomcast/recording/align/recorded_alignment.h"
 
 namespace roomcast::cli {
 namespace {
@@ -26,7 +26,7 @@ Result<std::vector<bench::RealReport>> measure(const RealCommandOptions& options
   StatusLine line;
   for (const std::string& rig : options.rigs) {
     const auto show = [&](const std::string& what) { line.show(rig + ": " + what); };
-    const auto alignment = align_recording(rig, "auto", {}, show);
+    const auto alignment = recording::align_recording(rig, "auto", {}, show);
     if (!alignment) return alignment.error();
     auto report = bench::run_real_bench(rig, *alignment, options.bench, show);
     if (!report) return report.error();

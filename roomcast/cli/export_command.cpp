@@ -114,12 +114,6 @@ void report(const ExportOptions& options, const recording::ExportTotals& totals)
   print_out("\n");
 }
 
-Error not_to_be_exported() {
-  return {ErrorCode::kUnavailable,
-          "this room did not let viewers export when it was recorded; ask its owner for that right "
-          "and record it again"};
-}
-
 Status run_export(ExportOptions options) {
   StopOnSignal stop;
   if (!options.crop.empty()) {
@@ -129,7 +123,7 @@ Status run_export(ExportOptions options) {
   }
   auto reader = recording::open_frame_sets(options.recording, seconds(options.from_s));
   if (!reader) return reader.error();
-  if (!(*reader)->may_be_exported()) return not_to_be_exported();
+  if (auto status = recording::check_may_be_exported(**reader); !status) return status;
   auto writer = make_writer(options, **reader);
   if (!writer) return writer.error();
   Status status = copy_sets(options, **reader, **writer, stop.token());

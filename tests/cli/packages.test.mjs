@@ -14,7 +14,8 @@ import { binary } from './program.mjs';
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 const build = resolve(dirname(binary), '..');
-const packages = ['libroomcast-dev', 'libroomcast1', 'roomcast'];
+const hasPython = existsSync(join(build, 'python/roomcast/__init__.py'));
+const packages = ['libroomcast-dev', 'libroomcast1', ...(hasPython ? ['python3-roomcast'] : []), 'roomcast'];
 const isBuilt = [join(build, 'CPackConfig.cmake'), join(build, 'lib/libroomcast.so.1'), join(root, 'build/web/index.html')];
 const absent = isBuilt.find((path) => !existsSync(path));
 const skip = absent ? `${absent} is not built` : false;
@@ -33,7 +34,7 @@ before(() => {
 
 after(() => folder && rmSync(folder, { recursive: true, force: true }));
 
-test('three_packages_are_made', { skip }, () => {
+test('all_packages_are_made', { skip }, () => {
   assert.deepEqual(debs.map((name) => name.split('_')[0]), packages);
 });
 
@@ -110,6 +111,15 @@ test('every_camera_that_is_known_may_be_opened', { skip }, () => {
     rules.some((rule) => rule.includes(`ATTR{idVendor}=="${vendor}"`) && (!/idProduct/.test(rule) || /idProduct}=="([^"]*)"/.exec(rule)[1].split('|').includes(product)));
   const closed = [...known].filter(([, vendor, product]) => !isOpened(vendor, product)).map(([, , , model]) => model);
   assert.deepEqual(closed, []);
+});
+
+test('python_imports_the_unpacked_module', { skip: skip || (!hasPython && 'the Python module is not built') }, () => {
+  const env = { ...process.env, PYTHONPATH: unpacked('lib/python3/dist-packages'), PYTHONDONTWRITEBYTECODE: '1' };
+  const place = run('/usr/bin/python3', ['-c', 'import roomcast; print(roomcast.__file__)'], { env }).trim();
+  assert.ok(place.startsWith(folder), place);
+  assert.ok(existsSync(unpacked('lib/python3/dist-packages/roomcast/__init__.pyi')));
+  const deb = debs.find((name) => name.startsWith('python3-roomcast'));
+  assert.match(run('dpkg-deb', ['-f', join(folder, deb), 'Depends']), /python3-numpy/);
 });
 
 test('program_is_built_against_the_unpacked_library_by_pkg_config', { skip }, () => {

@@ -6,6 +6,14 @@
 
 namespace roomcast::recording {
 
+Status check_may_be_exported(const FrameSetReader& reader) {
+  if (reader.may_be_exported()) return {};
+  return Error{
+      ErrorCode::kUnavailable,
+      "this room did not let viewers export when it was recorded; ask its owner for that right "
+      "and record it again"};
+}
+
 Result<std::unique_ptr<FrameSetReader>> open_frame_sets(const std::filesystem::path& path,
                                                         nanoseconds from) {
   std::error_code ignored;

@@ -50,15 +50,23 @@ class FrameSetReader {
   [[nodiscard]] virtual const std::vector<SetSensor>& sensors() const = 0;
   /// Duration of the recording; 0: unknown.
   [[nodiscard]] virtual nanoseconds length() const = 0;
+  /// The number of sets that next() gives from the beginning to the end if no picture is damaged;
+  /// nothing if the recording has to be read to know it.
+  [[nodiscard]] virtual std::optional<std::uint64_t> set_count() const { return std::nullopt; }
   /// The instant from which FrameSet::time counts, since 1970-01-01 UTC; 0 if the recording does
   /// not tell it.
   [[nodiscard]] virtual nanoseconds began_at() const { return {}; }
+  /// Why the end of the recording is missing, where it is: everything before is read.
+  [[nodiscard]] virtual std::optional<std::string> damage() const { return std::nullopt; }
   /// False if the recorder was not permitted to export the room.
   [[nodiscard]] virtual bool may_be_exported() const { return true; }
   /// Returns false at the end. An error describes a damaged place; if possible, the next call
   /// continues after it.
   [[nodiscard]] virtual Result<bool> next(FrameSet& set) = 0;
 };
+
+/// kUnavailable, with a sentence, if the recording may not be exported.
+[[nodiscard]] Status check_may_be_exported(const FrameSetReader& reader);
 
 /// `path`: FILE.mcap of `roomcast record`, or the folder of a rig or of a TUM recording. Starts
 /// with the set at `from`. kNotFound if `path` is none of these; otherwise the errors of the

@@ -43,7 +43,9 @@ TEST(FrameSetReader, says_whether_a_recording_may_be_exported) {
   ASSERT_TRUE(writer->add_roster(room.roster(), RecordingFixtureRoom::came(0)).ok());
   ASSERT_TRUE(writer->add_frame(room.frame(0, 0), RecordingFixtureRoom::came(0)).ok());
   ASSERT_TRUE(writer->finish().ok());
-  EXPECT_FALSE((*open_frame_sets(folder / "b.mcap"))->may_be_exported());
+  const auto forbidden = open_frame_sets(folder / "b.mcap");
+  EXPECT_FALSE((*forbidden)->may_be_exported());
+  EXPECT_EQ(check_may_be_exported(**forbidden).error().code, ErrorCode::kUnavailable);
 }
 
 TEST(FrameSetReader, begins_at_the_given_time) {
@@ -98,6 +100,15 @@ TEST(FrameSetReader, lines_up_the_sensors_of_a_rig) {
     EXPECT_NEAR(set.frames[1].pictures->color.at(30, 20).r, 160, 4);
   }
   EXPECT_FALSE(*(*reader)->next(set));
+}
+
+TEST(FrameSetReader, knows_the_number_of_a_rigs_sets) {
+  const TemporaryFolder folder;
+  write_rig(folder / "rig");
+  RecordingFixtureRoom().record(folder / "a.mcap", 12);
+  EXPECT_EQ((*open_frame_sets(folder / "rig"))->set_count(), 4u);
+  EXPECT_EQ((*open_frame_sets(folder / "rig", std::chrono::milliseconds(150)))->set_count(), 2u);
+  EXPECT_FALSE((*open_frame_sets(folder / "a.mcap"))->set_count().has_value());
 }
 
 TEST(FrameSetReader, names_a_path_that_is_no_recording) {

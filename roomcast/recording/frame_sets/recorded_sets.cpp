@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "roomcast/client/room/calibration_message.h"
@@ -35,6 +37,7 @@ class RecordedSets final : public FrameSetReader {
   const std::vector<SetSensor>& sensors() const override { return sensors_; }
   nanoseconds length() const override { return recording_.end() - recording_.origin(); }
   nanoseconds began_at() const override { return recording_.origin(); }
+  std::optional<std::string> damage() const override { return recording_.damage(); }
   bool may_be_exported() const override { return recording_.may_be_exported(); }
 
   Result<bool> next(FrameSet& set) override {

@@ -5,7 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "roomcast/geometry/registration.h"
 #include "roomcast/recording/playback/recording_source.h"
@@ -16,11 +20,11 @@ namespace {
 /// The frames of one sensor, with the next one read ahead.
 class Track {
  public:
-  static Result<Track> open(Result<std::unique_ptr<source::FrameSource>> source) {
-    if (!source) return source.error();
-    auto registration = Registration::create((*source)->description().calibration);
+  static Result<Track> open(Result<Recording> recording) {
+    if (!recording) return recording.error();
+    auto registration = Registration::create(recording->description.calibration);
     if (!registration) return registration.error();
-    Track track(std::move(*source), std::move(*registration));
+    Track track(*std::move(recording), std::move(*registration));
     if (auto status = track.advance(); !status) return status.error();
     return track;
   }
@@ -29,6 +33,8 @@ class Track {
     return source_->description();
   }
   [[nodiscard]] bool ended() const { return ended_; }
+  /// Of all its frames.
+  [[nodiscard]] const std::vector<nanoseconds>& times() const { return times_; }
   [[nodiscard]] nanoseconds time() const { return captured_.capture_time.time_since_epoch(); }
 
   /// Returns the frame that was read ahead, and reads the next.
@@ -47,8 +53,12 @@ class Track {
   }
 
  private:
-  Track(std::unique_ptr<source::FrameSource> source, Registration registration)
-      : source_(std::move(source)), registration_(std::move(registration)) {}
+  Track(Recording recording, Registration registration) : registration_(std::move(registration)) {
+    constexpr source::PlaybackOptions kOnce{.pace = source::Pace::kAsFastAsPossible, .loop = false};
+    for (const RecordedFrame& frame : recording.frames)
+      times_.push_back(frame.true_time - recording.start);
+    source_ = std::make_unique<RecordingSource>(std::move(recording), kOnce, HostTime());
+  }
   Status advance() {
     const auto more = source_->next(captured_, {});
     if (!more) return more.error();
@@ -56,6 +66,7 @@ class Track {
     return {};
   }
 
+  std::vector<nanoseconds> times_;
   std::unique_ptr<source::FrameSource> source_;
   Registration registration_;
   RegisteredColor registered_;
@@ -77,6 +88,25 @@ class FolderSets final : public FrameSetReader {
   const std::vector<SetSensor>& sensors() const override { return sensors_; }
   nanoseconds length() const override { return {}; }
 
+  std::optional<std::uint64_t> set_count() const override {
+    // By instant: the sets' times. Frames of one track at the same instant are in different sets.
+    std::map<std::int64_t, std::vector<nanoseconds>> sets;
+    for (const Track& track : tracks_) {
+      std::map<std::int64_t, std::size_t> taken;
+      for (const nanoseconds time : track.times()) {
+        std::vector<nanoseconds>& at_instant = sets[instant_of(time)];
+        const std::size_t number = taken[instant_of(time)]++;
+        if (at_instant.size() <= number) at_instant.resize(number + 1);
+        at_instant[number] = std::max(at_instant[number], time);
+      }
+    }
+    std::uint64_t count = 0;
+    for (const auto& [instant, times] : sets)
+      count += static_cast<std::uint64_t>(
+          std::ranges::count_if(times, [&](nanoseconds time) { return time >= from_; }));
+    return count;
+  }
+
   Result<bool> next(FrameSet& set) override {
     for (;;) {
       if (std::ranges::all_of(tracks_, &Track::ended)) return false;
@@ -94,20 +124,20 @@ class FolderSets final : public FrameSetReader {
   }
 
  private:
-  [[nodiscard]] std::int64_t instant_of(const Track& track) const {
-    return std::llround(std::chrono::duration<double>(track.time()).count() * fps_);
+  [[nodiscard]] std::int64_t instant_of(nanoseconds time) const {
+    return std::llround(std::chrono::duration<double>(time).count() * fps_);
   }
 
   /// Reads the frames of the next instant into `newest_`; returns the newest capture time.
   Result<nanoseconds> take_instant() {
     std::int64_t instant = std::numeric_limits<std::int64_t>::max();
     for (const Track& track : tracks_) {
-      if (!track.ended()) instant = std::min(instant, instant_of(track));
+      if (!track.ended()) instant = std::min(instant, instant_of(track.time()));
     }
     nanoseconds time{};
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
       Track& track = tracks_[i];
-      if (track.ended() || instant_of(track) != instant) continue;
+      if (track.ended() || instant_of(track.time()) != instant) continue;
       const nanoseconds taken = track.time();
       auto pictures = track.take();
       if (!pictures) return pictures.error();
@@ -126,11 +156,10 @@ class FolderSets final : public FrameSetReader {
 };
 
 Result<std::vector<Track>> open_tracks(const std::filesystem::path& folder) {
-  constexpr source::PlaybackOptions kOnce{.pace = source::Pace::kAsFastAsPossible, .loop = false};
   std::error_code ignored;
   std::vector<Track> tracks;
   if (std::filesystem::exists(folder / "depth.txt", ignored)) {
-    auto track = Track::open(open_tum_source(folder.string(), kOnce));
+    auto track = Track::open(read_tum_recording(folder));
     if (!track) return track.error();
     tracks.push_back(std::move(*track));
     return tracks;
@@ -142,7 +171,7 @@ Result<std::vector<Track>> open_tracks(const std::filesystem::path& folder) {
   const auto names = rig_sensor_names(folder);
   if (!names) return names.error();
   for (const std::string& name : *names) {
-    auto track = Track::open(open_rig_source(folder.string(), name, kOnce));
+    auto track = Track::open(read_rig_recording(folder, name));
     if (!track) return track.error();
     tracks.push_back(std::move(*track));
   }

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "roomcast/alignment/alignment_options.h"
-#include "roomcast/cli/pair_list.h"
-#include "roomcast/cli/recorded_bundles.h"
+#include "roomcast/recording/align/pair_list.h"
+#include "roomcast/recording/align/recorded_bundles.h"
 
-namespace roomcast::cli {
+namespace roomcast::recording {
 
 using SharedView = std::shared_ptr<const alignment::SensorView>;
 
@@ -42,4 +42,4 @@ class FrameViews {
   std::map<std::uint64_t, Result<SharedView>> views_;
 };
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::recording

@@ -9,10 +9,10 @@
 #include "roomcast/alignment/alignment_options.h"
 #include "roomcast/alignment/rig/alignment_report.h"
 #include "roomcast/alignment/rig/rig_aligner.h"
-#include "roomcast/cli/recorded_bundles.h"
-#include "roomcast/cli/recorded_views.h"
+#include "roomcast/recording/align/recorded_bundles.h"
+#include "roomcast/recording/align/recorded_views.h"
 
-namespace roomcast::cli {
+namespace roomcast::recording {
 
 /// `method` is "auto", or "homography" (the baseline).
 [[nodiscard]] alignment::AlignmentReport align_views(
@@ -28,4 +28,4 @@ namespace roomcast::cli {
     const alignment::AlignmentOptions& options, const ReadProgress& progress,
     alignment::DepthScaling scaling = alignment::DepthScaling::kAsCalibrated);
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::recording

@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/cli/recorded_bundles.h"
+#include "roomcast/recording/align/recorded_bundles.h"
 
 #include <chrono>
 #include <memory>
 #include <utility>
 
 #include "roomcast/recording/dataset/recording.h"
-#include "roomcast/sensor/source_factory.h"
+#include "roomcast/recording/playback/recording_source.h"
 
-namespace roomcast::cli {
+namespace roomcast::recording {
 namespace {
 
-Result<std::unique_ptr<source::FrameSource>> open_recording(const std::string& spec) {
-  sensor::SourceOptions options;
-  options.pace = source::Pace::kAsFastAsPossible;
-  options.loop = false;
-  return sensor::open_source(spec, options);
-}
+constexpr source::PlaybackOptions kOnce{.pace = source::Pace::kAsFastAsPossible, .loop = false};
 
-Result<RecordedBundle> read_sensor(const std::string& spec,
+Result<RecordedBundle> read_sensor(const std::filesystem::path& rig, const std::string& name,
                                    const alignment::BundleCaptureOptions& options) {
-  auto source = open_recording(spec);
+  auto source = open_rig_source(rig.string(), name, kOnce);
   if (!source) return source.error();
   const source::SensorDescription& sensor = (*source)->description();
   alignment::BundleCapture capture(sensor.name, sensor.calibration, options);
@@ -53,12 +48,12 @@ RecordedBundle bundle_of_frame(const source::SensorDescription& sensor,
 Result<std::vector<RecordedBundle>> read_rig_bundles(
     const std::filesystem::path& directory, const ReadProgress& progress,
     const alignment::BundleCaptureOptions& options) {
-  const auto names = recording::rig_sensor_names(directory.string());
+  const auto names = rig_sensor_names(directory.string());
   if (!names) return names.error();
   std::vector<RecordedBundle> bundles;
   for (const std::string& name : *names) {
     progress("reading " + name);
-    auto bundle = read_sensor("rig:" + directory.string() + "#" + name, options);
+    auto bundle = read_sensor(directory, name, options);
     if (!bundle) return bundle.error();
     bundles.push_back(std::move(*bundle));
   }
@@ -68,7 +63,7 @@ Result<std::vector<RecordedBundle>> read_rig_bundles(
 Result<std::map<std::uint64_t, RecordedBundle>> read_frame_bundles(
     const std::filesystem::path& directory, const std::set<std::uint64_t>& frames,
     const ReadProgress& progress, const alignment::BundleCaptureOptions& options) {
-  auto source = open_recording("tum:" + directory.string());
+  auto source = open_tum_source(directory.string(), kOnce);
   if (!source) return source.error();
   std::map<std::uint64_t, RecordedBundle> bundles;
   source::CapturedFrame frame;
@@ -88,4 +83,4 @@ Result<std::map<std::uint64_t, RecordedBundle>> read_frame_bundles(
   return bundles;
 }
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::recording

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/cli/pair_list.h"
+#include "roomcast/recording/align/pair_list.h"
 
 #include <nlohmann/json.hpp>
 
 #include "roomcast/io/json_fields.h"
 
-namespace roomcast::cli {
+namespace roomcast::recording {
 namespace {
 
 std::optional<std::string> name_of(const nlohmann::json& pair, const char* field) {
@@ -69,4 +69,4 @@ Result<std::vector<ListedPair>> read_pair_list(const std::filesystem::path& path
   return pairs;
 }
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::recording

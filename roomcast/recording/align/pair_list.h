@@ -15,7 +15,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/rigid_transform.h"
 
-namespace roomcast::cli {
+namespace roomcast::recording {
 
 struct ListedPair {
   std::string a, b;
@@ -28,4 +28,4 @@ inline constexpr std::size_t kMaxListedPairs = 100'000;
 /// kNotFound: the file is missing. kMalformed, naming the fault: the file is not as above.
 [[nodiscard]] Result<std::vector<ListedPair>> read_pair_list(const std::filesystem::path& path);
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::recording

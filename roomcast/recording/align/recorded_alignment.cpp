@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/cli/recorded_alignment.h"
+#include "roomcast/recording/align/recorded_alignment.h"
 
 #include <string_view>
 
@@ -7,7 +7,7 @@
 
 #include "roomcast/alignment/homography/homography_pose.h"
 
-namespace roomcast::cli {
+namespace roomcast::recording {
 namespace {
 
 alignment::SensorReport unusable_sensor(const std::string& name, const Error& error) {
@@ -55,4 +55,4 @@ Result<alignment::AlignmentReport> align_recording(const std::filesystem::path& 
   return report;
 }
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::recording

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/cli/recorded_views.h"
+#include "roomcast/recording/align/recorded_views.h"
 
 #include <set>
 #include <utility>
 
-namespace roomcast::cli {
+namespace roomcast::recording {
 namespace {
 
 constexpr std::size_t kMaxDigits = 18;
@@ -56,4 +56,4 @@ const Result<SharedView>& FrameViews::at(const std::string& name) {
   return found->second;
 }
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::recording

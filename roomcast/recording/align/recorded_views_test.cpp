@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Alignment of recordings with known poses, where they are available (ROOMCAST_DATA).
-#include "roomcast/cli/recorded_views.h"
+#include "roomcast/recording/align/recorded_views.h"
 
 #include <array>
 #include <numbers>
@@ -12,22 +12,21 @@
 #include "roomcast/recording/dataset/recording_fixture.h"
 #include "roomcast/recording/dataset/rig_json.h"
 
-namespace roomcast::cli {
+namespace roomcast::recording {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 const ReadProgress kQuiet = [](const std::string&) {};
 
 bool is_at_hand(const char* folder) {
-  return std::filesystem::exists(recording::shared_data() / folder);
+  return std::filesystem::exists(shared_data() / folder);
 }
 
 TEST(RecordedAlignment, places_three_sensors_on_a_floor_that_repeats) {
   if (!is_at_hand("house3"))
-    GTEST_SKIP() << "no recordings at " << recording::shared_data()
-                 << "; set ROOMCAST_DATA to test with them";
-  const auto bundles = read_rig_bundles(recording::shared_data() / "house3", kQuiet);
-  const auto rig = recording::read_rig_json(recording::shared_data() / "house3" / "rig.json");
+    GTEST_SKIP() << "no recordings at " << shared_data() << "; set ROOMCAST_DATA to test with them";
+  const auto bundles = read_rig_bundles(shared_data() / "house3", kQuiet);
+  const auto rig = read_rig_json(shared_data() / "house3" / "rig.json");
   ASSERT_TRUE(bundles.ok() && rig.ok());
   alignment::RigAligner aligner;
   for (const RecordedBundle& recorded : *bundles) aligner.add(*view_of(recorded));
@@ -48,9 +47,8 @@ TEST(RecordedAlignment, places_three_sensors_on_a_floor_that_repeats) {
 /// a few centimetres.
 TEST(RecordedAlignment, finds_the_relative_poses_of_a_real_kinects_frames) {
   if (!is_at_hand("redkitchen_moving"))
-    GTEST_SKIP() << "no recordings at " << recording::shared_data()
-                 << "; set ROOMCAST_DATA to test with them";
-  const auto folder = recording::shared_data() / "redkitchen_moving";
+    GTEST_SKIP() << "no recordings at " << shared_data() << "; set ROOMCAST_DATA to test with them";
+  const auto folder = shared_data() / "redkitchen_moving";
   const auto listed = read_pair_list(folder / "alignment_pairs.json");
   ASSERT_TRUE(listed.ok());
   std::vector<ListedPair> pairs;
@@ -70,4 +68,4 @@ TEST(RecordedAlignment, finds_the_relative_poses_of_a_real_kinects_frames) {
 }
 
 }  // namespace
-}  // namespace roomcast::cli
+}  // namespace roomcast::recording

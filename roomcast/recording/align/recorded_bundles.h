@@ -13,7 +13,7 @@
 #include "roomcast/alignment/bundle/bundle_capture.h"
 #include "roomcast/core/result.h"
 
-namespace roomcast::cli {
+namespace roomcast::recording {
 
 /// A sensor with its bundle, or the reason why it has none.
 struct RecordedBundle {
@@ -36,4 +36,4 @@ using ReadProgress = std::function<void(const std::string& what)>;
     const std::filesystem::path& directory, const std::set<std::uint64_t>& frames,
     const ReadProgress& progress, const alignment::BundleCaptureOptions& options = {});
 
-}  // namespace roomcast::cli
+}  // namespace roomcast::recording
