@@ -81,10 +81,15 @@ void print_json(const std::vector<Finding>& findings) {
   print_out("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
-int run_doctor(const DoctorOptions& options) {
+Status run_doctor(const DoctorOptions& options) {
+  if (!options.hub.empty()) {
+    if (const auto hubs = net::parse_hub_urls(options.hub); !hubs) return hubs.error();
+  }
   const std::vector<Finding> findings = examine(options);
   options.json ? print_json(findings) : print_text(findings);
-  return count(findings, Verdict::kProblem) == 0 ? kDone : kFailed;
+  const long problems = count(findings, Verdict::kProblem);
+  if (problems == 0) return {};
+  return Error{ErrorCode::kUnavailable, "problems were found: " + std::to_string(problems)};
 }
 
 }  // namespace
@@ -99,7 +104,9 @@ void add_doctor_command(CLI::App& app, Command& chosen) {
   command->footer(
       "Ends with 1 if there is a problem.\n\nExample:\n  roomcast doctor --hub "
       "ws://192.168.1.5:7600");
-  command->callback([options, &chosen] { chosen = [options] { return run_doctor(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = [options] { return finish("doctor", run_doctor(*options)); };
+  });
 }
 
 }  // namespace roomcast::cli

@@ -113,7 +113,12 @@ void Subscriber::Link::on_control(const wire::pb::Control& message) {
 void Subscriber::Link::on_frame(net::MessageBuffer message) {
   const auto outcome = state_.frame(message.payload());
   if (!outcome) return warn(outcome.error().message);
-  if (*outcome == RoomState::FrameOutcome::kNeedsKey) return ask_for_key(message.payload());
+  if (*outcome == RoomState::FrameOutcome::kNeedsKey) {
+    ask_for_key(message.payload());
+    // The set ends here all the same: the frames of the other sensors are to be seen.
+    const auto header = wire::parse_frame(message.payload());
+    if (header && header->last) offer_snapshot();
+  }
   if (*outcome == RoomState::FrameOutcome::kSetComplete) offer_snapshot();
 }
 

@@ -31,7 +31,7 @@ wire::pb::Control roster_of_one() {
   return control;
 }
 
-net::FramedMessagePtr frame_message(bool key) {
+net::FramedMessagePtr frame_message(bool key, SensorId sensor = {}, bool last = true) {
   codec::FrameEncoderOptions options;
   options.width = kWidth;
   options.height = kHeight;
@@ -44,7 +44,8 @@ net::FramedMessagePtr frame_message(bool key) {
                   .ok());
   wire::FrameHeader header;
   header.key = key;
-  header.last = true;
+  header.sensor = sensor;
+  header.last = last;
   header.seq = 7;
   header.base_seq = key ? 7 : 6;
   header.payload_length = static_cast<std::uint32_t>(message.size() - wire::kFrameHeaderBytes);
@@ -99,6 +100,22 @@ TEST_F(SubscriberTest, shows_the_frames_of_the_hub) {
   EXPECT_EQ(room->sensors[0].name, "left");
   EXPECT_EQ(room->sensors[0].picture->seq, 7u);
   EXPECT_EQ(room->sensors[0].picture->frame.depth_mm, DepthImage(kWidth, kHeight, 1234));
+}
+
+TEST_F(SubscriberTest, a_sensor_that_cannot_be_decoded_does_not_hide_the_others_of_its_set) {
+  open();
+  wire::pb::Control roster = roster_of_one();
+  *roster.mutable_roster()->add_sensors() = roster.roster().sensors(0);
+  roster.mutable_roster()->mutable_sensors(1)->set_id(1);
+  roster.mutable_roster()->mutable_sensors(1)->set_name("broken");
+  on_hub([&](FakeHub& h) {
+    h.say(roster);
+    h.say(frame_message(true, SensorId{0}, false));
+    h.say(frame_message(false, SensorId{1}, true));
+  });
+  const auto room =
+      wait_for([](const auto& r) { return r.sensors.size() == 2 && r.sensors[0].picture; });
+  EXPECT_FALSE(room->sensors[1].picture);
 }
 
 TEST_F(SubscriberTest, sends_its_pose_and_receives_those_of_others) {
