@@ -20,7 +20,7 @@ inline void append_big(FixtureBytes& out, std::uint64_t value, int bytes) {
 inline FixtureBytes element(std::uint32_t id, const FixtureBytes& content) {
   FixtureBytes out;
   int id_bytes = 1;
-  while (id >> (8 * id_bytes) != 0 && id_bytes < 4) ++id_bytes;
+  while (id_bytes < 4 && id >> (8 * id_bytes) != 0) ++id_bytes;
   append_big(out, id, id_bytes);
   append_big(out, content.size() | std::uint64_t{1} << 56U, 8);
   out.insert(out.end(), content.begin(), content.end());

@@ -2,6 +2,7 @@
 #include "roomcast/source/drivers/freenect/kinect_depth.h"
 
 #include <cmath>
+#include <cstring>
 
 #include "roomcast/core/assert.h"
 
@@ -39,8 +40,12 @@ void kinect_depth_from_raw(const std::uint16_t* raw, const std::vector<std::uint
   if (depth_mm.width() != kKinectWidth || depth_mm.height() != kKinectHeight)
     depth_mm.resize(kKinectWidth, kKinectHeight);
   std::uint16_t* const out = depth_mm.data();
-  for (std::size_t i = 0; i < depth_mm.view().pixel_count(); ++i)
-    out[i] = raw[i] < kKinectRawValues ? mm_from_raw[raw[i]] : std::uint16_t{0};
+  const auto* const bytes = reinterpret_cast<const char*>(raw);
+  for (std::size_t i = 0; i < depth_mm.view().pixel_count(); ++i) {
+    std::uint16_t value = 0;  // copied: a library's buffer may begin at an odd address
+    std::memcpy(&value, bytes + sizeof(value) * i, sizeof(value));
+    out[i] = value < kKinectRawValues ? mm_from_raw[value] : std::uint16_t{0};
+  }
 }
 
 }  // namespace roomcast::source
