@@ -8,6 +8,7 @@
 
 #include <boost/asio/post.hpp>
 
+#include "roomcast/client/frame_sequence.h"
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/room/calibration_message.h"
@@ -172,12 +173,6 @@ class Publisher::Link final : public HubLinkEvents {
     std::optional<Error> failure;  // why the connection ended for good
     PublisherStats stats;
   };
-  /// The frame numbers of one session; used by the publishing thread only.
-  struct Sequence {
-    std::uint64_t session = 0;
-    std::uint32_t next_seq = 0;
-    std::optional<std::uint32_t> base_seq;
-  };
 
   std::optional<wire::FrameHeader> make_header(const Turn& turn,
                                                const codec::EncodedFrameInfo& info,
@@ -186,8 +181,9 @@ class Publisher::Link final : public HubLinkEvents {
   void enqueue(std::uint64_t session, net::FramedMessagePtr message);
 
   PublisherOptions options_;
-  Sequence sequence_;
-  SendRate send_rate_;  // also used by the publishing thread only
+  // Used by the publishing thread only.
+  FrameSequence sequence_;
+  SendRate send_rate_;
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
@@ -271,30 +267,23 @@ void Publisher::Link::on_down(const Error& reason, bool final) {
 std::optional<wire::FrameHeader> Publisher::Link::make_header(const Turn& turn,
                                                               const codec::EncodedFrameInfo& info,
                                                               HostTime capture_time) {
-  if (sequence_.session != turn.session)
-    sequence_ = {.session = turn.session, .next_seq = 0, .base_seq = {}};
-  if (!info.key && !sequence_.base_seq) return std::nullopt;
-  wire::FrameHeader header;
-  header.key = info.key;
-  header.layer = info.layer;
-  header.seq = sequence_.next_seq;
-  header.base_seq = info.key ? header.seq : *sequence_.base_seq;
+  sequence_.enter(turn.session);
+  auto header = sequence_.next(info);
+  if (!header) return std::nullopt;
   std::lock_guard lock(mutex_);
   if (!shared_.connected || shared_.session != turn.session || !shared_.clock) return std::nullopt;
-  header.sensor = shared_.sensor;
-  header.capture_time = shared_.clock->room_time(capture_time);
-  header.clock_error_us = clock_error_us(shared_.clock->error);
+  header->sensor = shared_.sensor;
+  header->capture_time = shared_.clock->room_time(capture_time);
+  header->clock_error_us = clock_error_us(shared_.clock->error);
   ++shared_.unsent;
-  ++sequence_.next_seq;
-  if (info.layer == 0) sequence_.base_seq = header.seq;
+  sequence_.sent(*header);
   return header;
 }
 
-/// A skipped frame still gets a number, so that receivers can count it. Under the lock.
+/// Under the lock.
 void Publisher::Link::skip_frame() {
   ++shared_.stats.frames_skipped;
-  const bool has_sent = sequence_.session == shared_.session && sequence_.base_seq;
-  if (has_sent && shared_.connected) ++sequence_.next_seq;
+  if (shared_.connected) sequence_.skip(shared_.session);
 }
 
 std::optional<Publisher::Published> Publisher::Link::publish(const Turn& turn,

@@ -79,7 +79,8 @@ class Subscriber::Link final : public HubLinkEvents {
 
  private:
   void offer_snapshot();
-  void ask_for_key(std::span<const std::uint8_t> frame);
+  void on_undecodable(std::span<const std::uint8_t> frame);
+  void ask_for_key(SensorId sensor);
   void warn(const std::string& sentence) const {
     if (options_.log) options_.log(LogLevel::kWarning, sentence);
   }
@@ -113,24 +114,25 @@ void Subscriber::Link::on_control(const wire::pb::Control& message) {
 void Subscriber::Link::on_frame(net::MessageBuffer message) {
   const auto outcome = state_.frame(message.payload());
   if (!outcome) return warn(outcome.error().message);
-  if (*outcome == RoomState::FrameOutcome::kNeedsKey) {
-    ask_for_key(message.payload());
-    // The set ends here all the same: the frames of the other sensors are to be seen.
-    const auto header = wire::parse_frame(message.payload());
-    if (header && header->last) offer_snapshot();
-  }
+  if (*outcome == RoomState::FrameOutcome::kNeedsKey) return on_undecodable(message.payload());
   if (*outcome == RoomState::FrameOutcome::kSetComplete) offer_snapshot();
 }
 
-void Subscriber::Link::ask_for_key(std::span<const std::uint8_t> frame) {
+void Subscriber::Link::on_undecodable(std::span<const std::uint8_t> frame) {
   const auto header = wire::parse_frame(frame);
   if (!header) return;
+  ask_for_key(header->sensor);
+  // The set ends here all the same: the frames of the other sensors are to be seen.
+  if (header->last) offer_snapshot();
+}
+
+void Subscriber::Link::ask_for_key(SensorId sensor) {
   const HostTime now = clock_.now();
-  const auto asked = asked_for_key_.find(header->sensor);
+  const auto asked = asked_for_key_.find(sensor);
   if (asked != asked_for_key_.end() && now - asked->second < wire::kKeyRequestInterval) return;
-  asked_for_key_[header->sensor] = now;
+  asked_for_key_[sensor] = now;
   wire::pb::Control control;
-  control.mutable_key_request()->set_sensor_id(header->sensor.value);
+  control.mutable_key_request()->set_sensor_id(sensor.value);
   link_.send(control);
 }
 
