@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/capi/sensor_options.h"
 
-#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -9,12 +8,11 @@
 #include <utility>
 
 #include "roomcast/capi/c_border.h"
+#include "roomcast/sensor/sender/capture_time.h"
 
 namespace roomcast::capi {
 namespace {
 
-constexpr std::chrono::seconds kMaxAge{10};  // older: another clock than the host's
-constexpr std::chrono::milliseconds kMaxAhead{500};
 constexpr double kUsualFps = 30;
 
 Error in_field(const std::string& field, const Error& error) {
@@ -73,7 +71,7 @@ Status check_size(const char* picture, int width, int height, const CameraIntrin
 Result<HostTime> capture_time(std::int64_t capture_ns, HostTime now) {
   if (capture_ns == 0) return now;
   const HostTime time{nanoseconds(capture_ns)};
-  if (time < now - kMaxAge || time > now + kMaxAhead) {
+  if (!sensor::is_recent(time, now)) {
     return invalid_argument("capture_ns is not of the last ten seconds by roomcast_host_time_ns()");
   }
   return time;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -14,6 +13,7 @@
 #include "roomcast/python/bindings.h"
 #include "roomcast/python/errors.h"
 #include "roomcast/python/waiting.h"
+#include "roomcast/sensor/sender/capture_time.h"
 #include "roomcast/sensor/sender/frame_sender.h"
 
 namespace roomcast::python {
@@ -21,9 +21,6 @@ namespace {
 
 namespace py = pybind11;
 using namespace py::literals;
-
-constexpr std::chrono::seconds kMaxAge{10};  // older: of another clock
-constexpr std::chrono::milliseconds kMaxAhead{500};
 
 constexpr const char* kSensorDoc =
     "A sensor of a room: sends depth and colour. Joins the room and waits for the hub's\n"
@@ -56,7 +53,7 @@ struct SendReport {
   double rate_share = 1;
 };
 
-/// What threads that send share.
+/// The connection of a sensor. Threads that send share it.
 struct Sending {
   SensorCalibration calibration;
   std::mutex mutex;  // one frame at a time
@@ -83,7 +80,7 @@ HostTime capture_time(std::optional<std::int64_t> monotonic_ns) {
   const HostTime now = SteadyClock().now();
   if (!monotonic_ns) return now;
   const HostTime time{nanoseconds(*monotonic_ns)};
-  if (time < now - kMaxAge || time > now + kMaxAhead)
+  if (!sensor::is_recent(time, now))
     throw Failure(
         invalid_argument("monotonic_ns is not of the last ten seconds by time.monotonic_ns()"));
   return time;
