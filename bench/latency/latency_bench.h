@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/figure.h"
 #include "roomcast/core/result.h"
 
 namespace roomcast::bench {
@@ -32,16 +33,9 @@ struct LatencyRow {
   double p50 = 0, p95 = 0, p99 = 0;
 };
 
-/// One number.
-struct LatencyFigure {
-  std::string name;
-  std::string unit;
-  double value = 0;
-};
-
 struct LatencyReport {
   std::vector<LatencyRow> rows;
-  std::vector<LatencyFigure> figures;
+  std::vector<Figure> figures;
   std::vector<std::string> left_out;  // sentences
 };
 

@@ -21,7 +21,7 @@ TEST(LatencyBench, a_viewer_behind_a_narrow_link_gets_whole_sets) {
   }
   ASSERT_TRUE(status.ok()) << status.error().message;
   for (const LatencyRow& row : report.rows) EXPECT_GT(row.p50, 0) << row.name;
-  for (const LatencyFigure& figure : report.figures) {
+  for (const Figure& figure : report.figures) {
     if (figure.name == "narrow: partial sets") {
       EXPECT_EQ(figure.value, 0);
     }

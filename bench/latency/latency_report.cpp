@@ -14,7 +14,7 @@ void print_table(const LatencyReport& report, std::ostream& out) {
     out << fmt::format("{:<34}{:>6}{:>9.1f}{:>9.1f}{:>9.1f}\n", row.name, row.unit, row.p50,
                        row.p95, row.p99);
   }
-  for (const LatencyFigure& figure : report.figures) {
+  for (const Figure& figure : report.figures) {
     out << fmt::format("{:<34}{:>6}{:>9.1f}\n", figure.name, figure.unit, figure.value);
   }
   for (const std::string& sentence : report.left_out) out << "left out: " << sentence << "\n";
@@ -30,11 +30,7 @@ void print_json(const LatencyReport& report, std::ostream& out) {
                             {"p95", row.p95},
                             {"p99", row.p99}});
   }
-  json["figures"] = nlohmann::ordered_json::array();
-  for (const LatencyFigure& figure : report.figures) {
-    json["figures"].push_back(
-        {{"name", figure.name}, {"unit", figure.unit}, {"value", figure.value}});
-  }
+  json["figures"] = json_of(report.figures);
   json["left_out"] = report.left_out;
   out << json.dump(2) << "\n";
 }

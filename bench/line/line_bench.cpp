@@ -19,18 +19,14 @@ Result<LineReport> run_line_bench(const LineBenchOptions& options,
 }
 
 void print_table(const LineReport& report, std::ostream& out) {
-  for (const LineFigure& figure : report.figures) {
+  for (const Figure& figure : report.figures) {
     out << fmt::format("{:<60}{:>10.2f} {}\n", figure.name, figure.value, figure.unit);
   }
 }
 
 void print_json(const LineReport& report, std::ostream& out) {
   nlohmann::ordered_json json;
-  json["figures"] = nlohmann::ordered_json::array();
-  for (const LineFigure& figure : report.figures) {
-    json["figures"].push_back(
-        {{"name", figure.name}, {"unit", figure.unit}, {"value", figure.value}});
-  }
+  json["figures"] = json_of(report.figures);
   out << json.dump(2) << "\n";
 }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/figure.h"
 #include "roomcast/core/result.h"
 
 namespace roomcast::bench {
@@ -25,15 +26,8 @@ struct LineBenchOptions {
   int first_viewers = 5;                       // viewers who come into an unwatched room
 };
 
-/// One number.
-struct LineFigure {
-  std::string name;
-  std::string unit;
-  double value = 0;
-};
-
 struct LineReport {
-  std::vector<LineFigure> figures;
+  std::vector<Figure> figures;
 };
 
 /// `progress` is called with a description of the current measurement. Errors: those of the hub

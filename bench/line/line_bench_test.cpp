@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 double figure(const LineReport& report, const std::string& name, const std::string& unit) {
   const auto found = std::ranges::find_if(
-      report.figures, [&](const LineFigure& f) { return f.name == name && f.unit == unit; });
+      report.figures, [&](const Figure& f) { return f.name == name && f.unit == unit; });
   if (found == report.figures.end()) {
     ADD_FAILURE() << "there is no " << name << ", " << unit;
     return 0;
