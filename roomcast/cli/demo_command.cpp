@@ -112,6 +112,7 @@ Result<Feeds> start_feeds(const DemoOptions& options, const std::vector<std::str
 struct Totals {
   std::uint64_t frames = 0;
   std::uint64_t bytes = 0;
+  bool is_watched = false;
 };
 
 Totals totals_of(const Feeds& feeds) {
@@ -120,6 +121,7 @@ Totals totals_of(const Feeds& feeds) {
     const sensor::SensorFeedStats stats = feed->stats();
     totals.frames += stats.frames_sent;
     totals.bytes += stats.bytes_sent;
+    totals.is_watched |= stats.frames_wanted;
   }
   return totals;
 }
@@ -145,9 +147,10 @@ Status show_room(const Feeds& feeds, double seconds, const std::stop_token& stop
     if (tenths % 10 != 0) continue;
     const Totals now = totals_of(feeds);
     line.show(fmt::format(
-        "{} sensors, {:.1f} frames/s each, {:.2f} MB/s in all   (Ctrl-C stops)", feeds.size(),
+        "{} sensors, {:.1f} frames/s each, {:.2f} MB/s in all{}   (Ctrl-C stops)", feeds.size(),
         static_cast<double>(now.frames - before.frames) / static_cast<double>(feeds.size()),
-        static_cast<double>(now.bytes - before.bytes) / 1e6));
+        static_cast<double>(now.bytes - before.bytes) / 1e6,
+        now.is_watched ? "" : ", nobody watches"));
     before = now;
   }
   return {};
