@@ -62,7 +62,7 @@ class SensorFeed::Worker {
   void run(const std::stop_token& stop) {
     Status status;
     while (status && !stop.stop_requested()) {
-      if (set_idle(may_idle())) sender_->publisher().wait_until_wanted(kIdleInterval, stop);
+      rest_while_unwatched(stop);
       auto more = source_->next(captured_, stop);
       if (!more) {
         status = more.error();
@@ -101,9 +101,11 @@ class SensorFeed::Worker {
     return !sightings.heads() && !sightings.tags();
   }
 
-  bool set_idle(bool is_idle) {
+  /// Waits until the next frame is needed.
+  void rest_while_unwatched(const std::stop_token& stop) {
+    const bool is_idle = may_idle();
     if (std::exchange(is_idle_, is_idle) != is_idle) source_->set_idle(is_idle);
-    return is_idle;
+    if (is_idle) sender_->publisher().wait_until_wanted(kIdleInterval, stop);
   }
 
   Status process_captured() {
@@ -115,9 +117,10 @@ class SensorFeed::Worker {
   /// Sends a new bundle, a move of the sensor, and sightings.
   void report_place() {
     auto news = bundle_.add(captured_);
-    if (!news || news->moved || news->bundle) has_tried_bundle_ = !news || !news->moved;
+    if (!news || news->bundle) has_tried_bundle_ = true;
     if (!news) return complain(news.error().message);
     if (news->moved) {
+      has_tried_bundle_ = false;
       sender_->publisher().report_moved();
       if (log_) log_(LogLevel::kInfo, "this sensor was moved");
     }

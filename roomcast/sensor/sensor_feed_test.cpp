@@ -18,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// What a test sees of its source while the feed owns it.
+/// State of the test's source, which the feed owns.
 struct Watched {
   std::atomic<int> frames{0};
   std::atomic<bool> is_idle{false};

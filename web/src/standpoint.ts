@@ -144,7 +144,7 @@ export class Standpoint {
     return sharedAddress(location, this.state.welcome?.room ?? '', fragment);
   }
 
-  /** Somebody has opened another address in this tab that differs after the # only. */
+  /** The address in this tab has changed after the # only: opens its viewpoint. */
   private addressChanged(): void {
     if (hasCredential(location.hash)) return location.reload(); // as a link with a credential is opened
     const given = viewpointOf(location.hash);

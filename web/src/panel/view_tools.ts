@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one can do with one's own view: go back to the start, give others an address that opens it, fill the screen with
-// it, save a picture of it.
+// Buttons for one's own view: back to the start, an address for others that opens it, full screen, a picture.
 import { viewTexts as texts } from '../texts';
 import { element, setText } from './element';
 import { labelled, textField } from './form';

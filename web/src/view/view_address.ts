@@ -41,7 +41,7 @@ export function viewFragment(view: ViewState, mode?: DrawMode): string {
   return `#at=${asText(view.position)}&look=${asText(pivot(view))}${mode ? `&mode=${mode}` : ''}`;
 }
 
-/** What the address keeps of its fragment: a viewpoint, or nothing. */
+/** The part of a fragment that stays in the page's address: a viewpoint, or nothing. */
 export function keptFragment(hash: string): string {
   const found = viewpointOf(hash);
   return found ? viewFragment(found.view, found.mode) : '';
