@@ -4,6 +4,7 @@ import './blend.test.mjs';
 import './blocked.test.mjs';
 import './codec.test.mjs';
 import './late_join.test.mjs';
+import './marks.test.mjs';
 import './memory.test.mjs';
 import './nudge.test.mjs';
 import './parts.test.mjs';

@@ -9,7 +9,7 @@ import { LazyConsole } from './lazy_console';
 import { Look } from './look';
 import { OwnPlaces } from './own_places';
 import { ownName, takeName } from './own_name';
-import { bodyOf, PosePublisher } from './pose_publisher';
+import { PosePublisher } from './pose_publisher';
 import { parseOptions, socketUrl, type PageOptions } from './page_options';
 import type { NudgeEvents } from './panel/nudge_controls';
 import { Panel } from './panel/panel';
@@ -31,7 +31,7 @@ import { headsetPace, screenPace } from './view/quality_ladder';
 import { darkBackground, lightBackground } from './view/room_scene';
 import { Stage } from './view/stage';
 import { keptFragment } from './view/view_address';
-import { viewFromBody, type ViewState } from './view/view_state';
+import { viewFromBody } from './view/view_state';
 import { Headset } from './xr/headset';
 import { headsetOffer, type HeadsetMode } from './xr/offer';
 
@@ -91,7 +91,7 @@ class Page {
     this.look = new Look((isLight) => this.stage.setBackground(isLight ? lightBackground : darkBackground));
     this.posePublisher = new PosePublisher((body) => this.link.pose(body));
     this.standpoint = new Standpoint(this.stage, this.state, options, tabStorage.store, {
-      changed: (view) => this.viewChanged(view),
+      changed: () => this.viewChanged(),
       modeGiven: (mode) => this.setMode(mode),
       followChanged: () => this.panel.setFollowed(this.standpoint.follow.whom),
     });
@@ -327,8 +327,8 @@ class Page {
     this.posePublisher?.update(now_ms);
   }
 
-  private viewChanged(view: ViewState): void {
-    if (!this.headset.isOn) this.posePublisher.moved(bodyOf(view));
+  private viewChanged(): void {
+    if (!this.headset.isOn) this.tellPosePublisher();
   }
 
   private setMode(mode: DrawMode): void {

@@ -75,6 +75,11 @@ export class RoomState {
     return this.roster?.sensors.filter((sensor) => sensor.online) ?? [];
   }
 
+  /** This viewer's own, as the others see it: 0xRRGGBB. */
+  get ownColor(): number {
+    return this.roster?.viewers.find(({ id }) => id === this.welcome?.viewerId)?.colorRgb ?? 0xffffff;
+  }
+
   follow(roster: RoomRoster): void {
     this.roster = roster;
     const present = new Set(roster.viewers.map(({ id }) => id));

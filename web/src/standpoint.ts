@@ -13,12 +13,13 @@ import type { RoomRoster } from './room_roster';
 import type { Store } from './storage';
 import type { Body } from './stream/protocol';
 import type { DrawMode } from './view/draw_mode';
-import { floorPoint, viewAt } from './view/going_there';
-import { IdPass, pixelRay } from './view/id_pass';
+import { Pointing } from './pointing';
+import { viewAt } from './view/going_there';
 import { Navigation } from './view/navigation';
 import type { Stage } from './view/stage';
 import { fallbackView, placedOrAll, startView } from './view/start_view';
 import { viewFromAbove, viewOfSensor } from './view/sensor_view';
+import { SurfacePick } from './view/surface_pick';
 import { keptFragment, sharedAddress, viewFragment, viewpointOf } from './view/view_address';
 import { reachOf } from './view/view_limits';
 import { viewFromMatrix, type ViewState } from './view/view_state';
@@ -26,13 +27,12 @@ import { viewFromMatrix, type ViewState } from './view/view_state';
 export const startDistance_m = 3; // from a pose to the point that its owner looks at
 
 export interface StandpointEvents {
-  changed(view: ViewState): void;
+  /** This viewer stands, looks or points elsewhere. */
+  changed(): void;
   modeGiven(mode: DrawMode): void;
   /** Another person is followed, or nobody. */
   followChanged(): void;
 }
-
-const floorWithin_m = 30; // a floor that no sensor sees, and that one can go to
 
 function byId(id: string): HTMLElement {
   return document.getElementById(id)!;
@@ -41,6 +41,8 @@ function byId(id: string): HTMLElement {
 export class Standpoint {
   readonly navigation: Navigation;
   readonly follow: Follow;
+  readonly pick: SurfacePick;
+  private readonly pointing: Pointing;
   private readonly hint: MoveHint;
   private hubKnewSensors = false; // when this viewer joined, so its start pose is meaningful
   private placed: boolean; // the start view was set, or the user has moved the view
@@ -61,6 +63,9 @@ export class Standpoint {
       goThere: (x, y) => this.goToPixel(x, y),
       reset: () => this.goToStart(),
     });
+    this.pick = new SurfacePick(stage);
+    this.pointing = new Pointing(stage, this.pick, () => state.ownColor, () => events.changed());
+    this.navigation.hands.pointing = this.pointing;
     this.follow = new Follow(byId('follow'), state, { changed: () => events.followChanged() });
     this.hint = new MoveHint(byId('hint'), tabStore);
     const stick = new WalkStick(byId('stick'), (push) => this.navigation.pushStick(push));
@@ -77,7 +82,7 @@ export class Standpoint {
   }
 
   get body(): Body {
-    return bodyOf(this.current);
+    return { ...bodyOf(this.current), pointer: this.pointing.current };
   }
 
   set(view: ViewState): void {
@@ -120,6 +125,7 @@ export class Standpoint {
     this.navigation.update(now_ms);
     const view = this.follow.update(this.current, now_ms);
     if (view !== this.current) this.navigation.set(this.navigation.permitted(view));
+    this.pointing.update(now_ms);
   }
 
   /** There is a room to see. */
@@ -162,17 +168,14 @@ export class Standpoint {
 
   /** Smoothly to the surface that is seen at a pixel, or to the floor where no sensor sees anything. */
   private goToPixel(x: number, y: number): void {
-    const { stage } = this;
-    if (stage.renderer.xr.isPresenting) return;
-    const seen = new IdPass(stage).pointAt(x, y);
-    const point = seen ?? floorPoint(stage.camera.position, pixelRay(stage, x, y), floorWithin_m);
+    const point = this.pick.at(x, y);
     if (point) this.navigation.glideTo(viewAt(this.current, point));
   }
 
   private changed(view: ViewState): void {
     this.placed = true;
     this.stage.look(view);
-    this.events.changed(view);
+    this.events.changed();
   }
 
   private start(): ViewState | undefined {

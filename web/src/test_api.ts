@@ -116,12 +116,13 @@ export class TestApi {
     };
   }
 
-  /** Last received head and hand poses of the other viewers. */
+  /** Last received head and hand poses of the other viewers, and the points that they point at. */
   otherPoses() {
-    return [...this.parts.state.poses.values()].map(({ viewerId, head, leftHand, rightHand }) => ({
+    return [...this.parts.state.poses.values()].map(({ viewerId, head, leftHand, rightHand, pointer }) => ({
       viewerId,
       head: plain(head),
       hands: [plain(leftHand), plain(rightHand)],
+      pointsAt: pointer?.to ? [pointer.to.x, pointer.to.y, pointer.to.z] : null,
     }));
   }
 

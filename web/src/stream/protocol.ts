@@ -97,11 +97,18 @@ export type ToWorker =
 /** A Pose without the fields added by Protobuf. */
 export type PlainPose = Pick<Pose, 'x' | 'y' | 'z' | 'qx' | 'qy' | 'qz' | 'qw'>;
 
-/** This viewer's pose. Hands are undefined while they are not tracked. */
+/** From the hand to the point pointed at; metres, world. */
+export interface PlainBeam {
+  from: { x: number; y: number; z: number };
+  to: { x: number; y: number; z: number };
+}
+
+/** This viewer's pose. Hands are undefined while they are not tracked, the pointer while it is off. */
 export interface Body {
   head: PlainPose;
   leftHand: PlainPose | undefined;
   rightHand: PlainPose | undefined;
+  pointer?: PlainBeam | undefined;
 }
 
 export function pageTime_ms(): number {

@@ -178,7 +178,7 @@ export class RoomStream {
   }
 }
 
-/** Hands that are not tracked are left out of the message. */
-function poseMessage({ head, leftHand, rightHand }: Body) {
-  return { head, ...(leftHand && { leftHand }), ...(rightHand && { rightHand }) };
+/** Hands that are not tracked, and a pointer that is off, are left out of the message. */
+function poseMessage({ head, leftHand, rightHand, pointer }: Body) {
+  return { head, ...(leftHand && { leftHand }), ...(rightHand && { rightHand }), ...(pointer && { pointer }) };
 }

@@ -19,9 +19,29 @@ test('somebody who stands where the eye is does not hide the room', () => {
   avatars.follow([create(ViewerEntrySchema, { id: 2 }), create(ViewerEntrySchema, { id: 3 })]);
   const at = (viewerId: number, z: number) => create(ViewerPoseSchema, { viewerId, head: { y: 1.6, z, qw: 1 } });
   avatars.move([at(2, 0.1), at(3, -1.5)]);
-  const drawn = () => avatars.root.children.filter((child) => child.type === 'Group').map(({ visible }) => visible);
+  const people = avatars.root.children.filter((child) => child.type === 'Group');
+  const drawn = () => people.map(({ children: [body] }) => body!.visible);
   avatars.hideAt(new Vector3(0, 1.6, 0));
   expect(drawn()).toEqual([false, true]);
   avatars.hideAt(new Vector3(0, 1.6, 1));
   expect(drawn()).toEqual([true, true]);
+});
+
+test('somebody who points has a beam with a spot and the name there, also where they themselves are not drawn', () => {
+  stubCanvas();
+  const avatars = new Avatars();
+  avatars.follow([create(ViewerEntrySchema, { id: 2, name: 'Ada', colorRgb: 0xe69f00 })]);
+  const beam = avatars.root.children.find((child) => child.type === 'Group')!.children[1]!;
+  const pose = { viewerId: 2, head: { y: 1.6, qw: 1 } };
+  const pointer = { from: { y: 1.4 }, to: { y: 1.4, z: -2 } };
+  avatars.move([create(ViewerPoseSchema, { ...pose, pointer })]);
+  avatars.hideAt(new Vector3(0, 1.6, 0));
+  expect(beam.visible).toBe(true);
+  const spot = beam.children[1]!.getWorldPosition(new Vector3());
+  expect(spot.distanceTo(new Vector3(0, 1.4, -2))).toBeLessThan(1e-6);
+  const label = beam.children[1]!.children[0]!;
+  expect(label.type).toBe('Sprite');
+  expect(label.getWorldPosition(new Vector3()).distanceTo(spot)).toBeCloseTo(0.09);
+  avatars.move([create(ViewerPoseSchema, pose)]);
+  expect(beam.visible).toBe(false);
 });

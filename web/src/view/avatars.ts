@@ -21,6 +21,7 @@ interface Part {
 
 interface Avatar {
   root: THREE.Group;
+  body: THREE.Group; // head and hands
   name: string;
   color: number;
   head: Part;
@@ -162,10 +163,10 @@ export class Avatars {
     return moving;
   }
 
-  /** Somebody who stands where the eye is would fill the picture from within, and is not drawn. */
+  /** Somebody who stands where the eye is would fill the picture from within: only what they point at is drawn. */
   hideAt(eye: THREE.Vector3): void {
-    for (const { root, head } of this.byViewer.values()) {
-      root.visible = head.object.position.distanceTo(eye) >= inTheEye_m;
+    for (const { body, head } of this.byViewer.values()) {
+      body.visible = head.object.position.distanceTo(eye) >= inTheEye_m;
     }
   }
 
@@ -175,11 +176,13 @@ export class Avatars {
 
   private add({ id, name, colorRgb: color }: ViewerEntry): void {
     const head = headOf(color);
-    head.add(labelOf(name || `viewer ${id}`));
+    const label = () => labelOf(name || `viewer ${id}`);
+    head.add(label());
     const hands: [Part, Part] = [partOf(handOf(color)), partOf(handOf(color))];
-    const beam = beamOf(color);
-    const avatar = { root: new THREE.Group(), name, color, head: partOf(head), hands, beam };
-    avatar.root.add(head, hands[0].object, hands[1].object, beam);
+    const beam = beamOf(color, label());
+    const avatar = { root: new THREE.Group(), body: new THREE.Group(), name, color, head: partOf(head), hands, beam };
+    avatar.body.add(head, hands[0].object, hands[1].object);
+    avatar.root.add(avatar.body, beam);
     this.byViewer.set(id, avatar);
     this.root.add(avatar.root);
   }

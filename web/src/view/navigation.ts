@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mouse, touch and keyboard on the canvas -> changes of the view.
 //   mouse: left drag orbits, right or middle drag (or with Shift) pans, Ctrl drag turns the head, wheel zooms, a double
-//     click goes there
-//   touch: one finger turns the head, two fingers pan and zoom, a double tap goes there; the stick (walk_stick) walks
+//     click goes there, a long press points
+//   touch: one finger turns the head, two fingers pan and zoom, a double tap goes there, a long press points; the stick
+//     (walk_stick) walks
 //   keys: see motion_keys; Shift faster, R back to the start, G goes to what is in the middle
+import type { CanvasHand } from './canvas_hand';
 import { DoubleTap } from './double_tap';
 import { Glide } from './going_there';
+import { LongPress } from './long_press';
 import { isMotionKey, movedByKeys, walkSpeed_mPerS } from './motion_keys';
 import type { StickPush } from './stick_motion';
 import { reachAround, withinReach, type Reach } from './view_limits';
@@ -32,9 +35,13 @@ export interface NavigationEvents {
 }
 
 export class Navigation {
+  /** What a press is given to: a long one `pointing`, every one the `tool`. */
+  readonly hands: { pointing?: CanvasHand; tool?: CanvasHand } = {};
   private readonly fingers = new Map<number, Finger>();
   private readonly held = new Set<string>();
   private readonly taps = new DoubleTap();
+  private readonly longPress = new LongPress();
+  private taken: { id: number; hand: CanvasHand } | undefined; // a pointer that does not move the view
   private reach: Reach;
   private roomsReach: Reach | undefined; // undefined while the room's size is not known
   private glide: Glide | undefined;
@@ -51,7 +58,7 @@ export class Navigation {
     canvas.addEventListener('pointerdown', (event) => this.down(event));
     canvas.addEventListener('pointermove', (event) => this.move(event));
     canvas.addEventListener('pointerup', (event) => this.up(event));
-    canvas.addEventListener('pointercancel', (event) => this.fingers.delete(event.pointerId));
+    canvas.addEventListener('pointercancel', (event) => this.forget(event));
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     window.addEventListener('keydown', (event) => this.keyDown(event));
@@ -108,6 +115,8 @@ export class Navigation {
     const seconds = Math.min(longestFrame_s, (now_ms - (this.lastUpdate_ms ?? now_ms)) / 1000);
     this.lastUpdate_ms = now_ms;
     if (this.glide) this.glideOn(this.glide, now_ms);
+    const press = this.longPress.due(now_ms);
+    if (press) this.give(press.id, this.hands.pointing, press);
     if (seconds === 0) return;
     const { forward, right } = this.push;
     const step_m = seconds * walkSpeed_mPerS;
@@ -126,29 +135,66 @@ export class Navigation {
     this.canvas.setPointerCapture(event.pointerId);
     this.canvas.focus({ preventScroll: true });
     this.fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    if (this.fingers.size > 1 || event.button !== 0) this.taps.cancel();
-    else this.taps.down(event.clientX, event.clientY, event.timeStamp);
+    if (this.fingers.size > 1 || event.button !== 0) return this.cancelPress();
+    const { pointerId: id } = event;
+    if (this.hands.tool) return this.give(id, this.hands.tool, this.pixelOf(event));
+    this.taps.down(event.clientX, event.clientY, event.timeStamp);
+    if (!event.shiftKey && !event.ctrlKey) this.longPress.down({ id, ...this.pixelOf(event) }, event.timeStamp);
   }
 
   private up(event: PointerEvent): void {
     this.fingers.delete(event.pointerId);
+    this.longPress.cancel();
+    if (this.taken?.id === event.pointerId) return this.letGo();
     if (!this.taps.up(event.clientX, event.clientY, event.timeStamp)) return;
+    const { x, y } = this.pixelOf(event);
+    this.goThere(x, y);
+  }
+
+  private forget(event: PointerEvent): void {
+    this.fingers.delete(event.pointerId);
+    this.cancelPress();
+  }
+
+  private pixelOf(event: PointerEvent): { x: number; y: number } {
     const { left, top } = this.canvas.getBoundingClientRect();
-    this.goThere(event.clientX - left, event.clientY - top);
+    return { x: Math.floor(event.clientX - left), y: Math.floor(event.clientY - top) };
+  }
+
+  private give(id: number, hand: CanvasHand | undefined, { x, y }: { x: number; y: number }): void {
+    if (!hand) return;
+    this.taps.cancel();
+    this.taken = { id, hand };
+    hand.press(x, y);
+  }
+
+  private letGo(): void {
+    this.taken?.hand.release();
+    this.taken = undefined;
+  }
+
+  private cancelPress(): void {
+    this.taps.cancel();
+    this.longPress.cancel();
+    this.taken?.hand.cancel();
+    this.taken = undefined;
   }
 
   private goAhead(): void {
-    this.goThere(this.canvas.clientWidth / 2, this.canvas.clientHeight / 2);
+    this.goThere(this.canvas.clientWidth >> 1, this.canvas.clientHeight >> 1);
   }
 
   private goThere(x: number, y: number): void {
     this.events.moved();
-    this.events.goThere(Math.floor(x), Math.floor(y));
+    this.events.goThere(x, y);
   }
 
   private move(event: PointerEvent): void {
     const finger = this.fingers.get(event.pointerId);
     if (!finger) return;
+    const { x, y } = this.pixelOf(event);
+    if (this.taken?.id === event.pointerId) return this.taken.hand.drag(x, y);
+    this.longPress.move({ id: event.pointerId, x, y });
     const before = { ...finger };
     finger.x = event.clientX;
     finger.y = event.clientY;

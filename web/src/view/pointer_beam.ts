@@ -1,19 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// A viewer's laser pointer: a rod of light from the hand to the target.
+// A viewer's laser pointer: a rod of light from the hand to the target, where a spot has the viewer's name.
 import * as THREE from 'three';
-import type { Beam } from '../gen/control_pb';
 
 const radius_m = 0.003;
 const spotRadius_m = 0.014;
+const labelAbove_m = -0.18; // a label stands 27 cm above what it names
 
-/** A rod along +z, one metre long, with a spot at its end. */
-export function beamOf(color: number): THREE.Group {
+/** As in control.proto. */
+export interface BeamEnds {
+  from?: { x: number; y: number; z: number } | undefined;
+  to?: { x: number; y: number; z: number } | undefined;
+}
+
+/** A rod along +z, one metre long, with a spot at its end, and beside that the label if there is one. */
+export function beamOf(color: number, label?: THREE.Sprite): THREE.Group {
   const light = new THREE.MeshBasicMaterial({ color });
   const rod = new THREE.Mesh(new THREE.CylinderGeometry(radius_m, radius_m, 1, 8, 1, true), light);
   rod.rotation.x = Math.PI / 2;
   rod.position.z = 0.5;
   const spot = new THREE.Mesh(new THREE.SphereGeometry(spotRadius_m, 12, 8), light);
   spot.position.z = 1;
+  if (label) {
+    label.position.y += labelAbove_m;
+    spot.add(label);
+  }
   const beam = new THREE.Group();
   beam.add(rod, spot);
   beam.visible = false;
@@ -21,7 +31,7 @@ export function beamOf(color: number): THREE.Group {
 }
 
 /** Beams are not interpolated, because pointing movements are quick. */
-export function shine(group: THREE.Group, beam: Beam | undefined): void {
+export function shine(group: THREE.Group, beam: BeamEnds | undefined): void {
   group.visible = beam?.from !== undefined && beam.to !== undefined;
   if (!beam?.from || !beam.to) return;
   const to = new THREE.Vector3(beam.to.x, beam.to.y, beam.to.z);
@@ -30,4 +40,12 @@ export function shine(group: THREE.Group, beam: Beam | undefined): void {
   group.lookAt(to);
   group.scale.set(1, 1, length);
   group.children[1]!.scale.set(1, 1, 1 / length); // the spot stays round
+}
+
+/** For a beam without a label. */
+export function disposeBeam(beam: THREE.Group): void {
+  for (const part of beam.children as THREE.Mesh<THREE.BufferGeometry, THREE.Material>[]) {
+    part.geometry.dispose();
+    part.material.dispose();
+  }
 }

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The point of the room at a pixel of the canvas: of the surface in front, else of the floor where no sensor sees
+// anything. Each call draws a few pixels. Pixels are CSS pixels, y down; points are in the world, metres.
+import type { Vector3 } from 'three';
+import { floorPoint } from './going_there';
+import { IdPass, pixelRay } from './id_pass';
+import type { Stage } from './stage';
+
+const floorWithin_m = 30; // a floor that no sensor sees
+
+export class SurfacePick {
+  constructor(private readonly stage: Stage) {}
+
+  /** Undefined where there is nothing, and in a headset, which draws by itself. */
+  at(x: number, y: number): Vector3 | undefined {
+    const { stage } = this;
+    if (stage.renderer.xr.isPresenting) return undefined;
+    const seen = new IdPass(stage).pointAt(x, y);
+    return seen ?? floorPoint(stage.camera.position, pixelRay(stage, x, y), floorWithin_m);
+  }
+
+  /** Along the ray where there is nothing to meet. */
+  orAhead(x: number, y: number, distance_m: number): Vector3 {
+    return this.at(x, y) ?? pixelRay(this.stage, x, y).setLength(distance_m).add(this.stage.camera.position);
+  }
+}
