@@ -292,6 +292,13 @@ Status check_revoked_tokens(const pb::RevokedTokens& message) {
   return {};
 }
 
+Status check_voices(const pb::Voices& voices) {
+  const auto is_crowd = [](int count) { return count > int{kMaxViewers}; };
+  if (is_crowd(voices.speaking_size()) || is_crowd(voices.muted_size()))
+    return Error{ErrorCode::kTooLarge, "there are more voices than viewers in a room"};
+  return {};
+}
+
 }  // namespace
 
 Status check_control(const pb::Control& control) {
@@ -326,6 +333,8 @@ Status check_control(const pb::Control& control) {
       return check_people_here(control.people_here());
     case pb::Control::kRevokedTokens:
       return check_revoked_tokens(control.revoked_tokens());
+    case pb::Control::kVoices:
+      return check_voices(control.voices());
     case pb::Control::kSightingRequest:
     case pb::Control::kFrameDemand:
     case pb::Control::kSensorMoved:

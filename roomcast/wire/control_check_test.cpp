@@ -250,6 +250,18 @@ TEST(ControlCheck, a_token_and_a_code_have_an_end) {
   EXPECT_FALSE(check_control(control).ok());
 }
 
+TEST(ControlCheck, voices_are_at_most_as_many_as_viewers) {
+  pb::Control control;
+  auto& voices = *control.mutable_voices();
+  for (std::size_t i = 0; i < kMaxViewers; ++i) voices.add_speaking(1);
+  EXPECT_TRUE(check_control(control).ok());
+  voices.add_speaking(1);
+  EXPECT_FALSE(check_control(control).ok());
+  voices.clear_speaking();
+  for (std::size_t i = 0; i <= kMaxViewers; ++i) voices.add_muted(1);
+  EXPECT_FALSE(check_control(control).ok());
+}
+
 TEST(ControlCheck, other_hubs_are_few_and_have_short_plain_addresses) {
   pb::Control control;
   for (int i = 0; i < kMaxOtherHubs; ++i) {

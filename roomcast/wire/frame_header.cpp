@@ -62,7 +62,7 @@ Result<MessageType> message_type(std::span<const std::uint8_t> message) {
                                               " is not supported, only version 1"};
   }
   const auto type = static_cast<MessageType>(message[3]);
-  if (type != MessageType::kFrame && type != MessageType::kControl) {
+  if (type != MessageType::kFrame && type != MessageType::kControl && type != MessageType::kAudio) {
     return Error{ErrorCode::kUnsupported,
                  "message type " + std::to_string(message[3]) + " is unknown"};
   }

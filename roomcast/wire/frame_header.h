@@ -19,7 +19,7 @@ inline constexpr std::size_t kPreambleBytes = 4;  // magic, version, type
 inline constexpr std::size_t kFrameHeaderBytes = 48;
 inline constexpr std::uint32_t kClockErrorUnknown = 0xFFFFFFFF;
 
-enum class MessageType : std::uint8_t { kFrame = 1, kControl = 2 };
+enum class MessageType : std::uint8_t { kFrame = 1, kControl = 2, kAudio = 3 };
 
 /// The type of a message, from its first four bytes. kMalformed: not a roomcast message.
 /// kUnsupported: another version or type.

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/control.h"
 #include "roomcast/wire/frame_header.h"
 
@@ -49,6 +50,24 @@ GoldenMessage golden_frame(std::string name, FrameHeader header, const Bytes& pa
   return {std::move(name), std::move(message), {{"frame", json_from(header)}}};
 }
 
+json json_from(const AudioHeader& h) {
+  return {{"ends", h.ends},
+          {"speaker", h.speaker.value},
+          {"seq", h.seq},
+          {"capture_ns", std::to_string(h.capture_time.time_since_epoch().count())},
+          {"codec", h.codec},
+          {"payload_length", h.payload_length},
+          {"header_length", h.header_length}};
+}
+
+GoldenMessage golden_audio(std::string name, AudioHeader header, const Bytes& payload) {
+  header.payload_length = static_cast<std::uint16_t>(payload.size());
+  Bytes message(kAudioHeaderBytes);
+  write_audio_header(header, std::span(message).first<kAudioHeaderBytes>());
+  message.insert(message.end(), payload.begin(), payload.end());
+  return {std::move(name), std::move(message), {{"audio", json_from(header)}}};
+}
+
 GoldenMessage golden_control(std::string name, const std::string& json_text) {
   pb::Control control;
   EXPECT_TRUE(google::protobuf::util::JsonStringToMessage(json_text, &control).ok()) << name;
@@ -59,6 +78,34 @@ GoldenMessage golden_control(std::string name, const std::string& json_text) {
 
 GoldenMessage golden_refusal(std::string name, Bytes bytes, std::string why) {
   return {std::move(name), std::move(bytes), {{"refused", std::move(why)}}};
+}
+
+/// Since audio exists; messages before it stay as they were.
+void add_voice_messages(std::vector<GoldenMessage>& messages) {
+  const AudioHeader spoken{.speaker = ViewerId{9},
+                           .seq = 0xFFFFFFFF,
+                           .capture_time = RoomTime(nanoseconds(1'234'567'890'123))};
+  AudioHeader last = spoken;
+  last.ends = true;
+  last.speaker = {};
+  last.seq = 0;
+  const GoldenMessage whole = golden_audio("audio", spoken, {0x78, 1, 2, 3});
+  messages.push_back(whole);
+  messages.push_back(golden_audio("audio_ends", last, {0x78}));
+  messages.push_back(
+      golden_control("control_join_hears", R"({"join":{"name":"Ada","viewer":{"hears":true}}})"));
+  messages.push_back(golden_control(
+      "control_welcome_may_speak",
+      R"({"welcome":{"room":"lab","viewerId":9,"hubVersion":"0.1.0","maySpeak":true}})"));
+  messages.push_back(
+      golden_control("control_voices", R"({"voices":{"speaking":[9,11],"muted":[12]}})"));
+  Bytes bad = whole.bytes;
+  bad.pop_back();
+  messages.push_back(golden_refusal("refused_truncated_audio", bad, "length"));
+  bad = golden_audio("", last, {}).bytes;
+  messages.push_back(golden_refusal("refused_empty_audio", bad, "payload"));
+  bad = golden_audio("", last, Bytes(kMaxAudioPayloadBytes + 1)).bytes;
+  messages.push_back(golden_refusal("refused_large_audio", bad, "payload"));
 }
 
 std::vector<GoldenMessage> golden_messages() {
@@ -120,6 +167,7 @@ std::vector<GoldenMessage> golden_messages() {
   bad = messages[3].bytes;
   bad.pop_back();
   messages.push_back(golden_refusal("refused_truncated_control", bad, "protobuf"));
+  add_voice_messages(messages);
   return messages;
 }
 
@@ -150,6 +198,7 @@ bool is_accepted(const Bytes& bytes) {
   const auto type = message_type(bytes);
   if (!type) return false;
   if (*type == MessageType::kFrame) return parse_frame(bytes).ok();
+  if (*type == MessageType::kAudio) return parse_audio(bytes).ok();
   return decode_control(bytes, Sender::kHub).ok();
 }
 
@@ -164,6 +213,9 @@ TEST(WireGolden, every_message_is_written_and_read_as_the_files_say) {
     EXPECT_EQ(is_accepted(bytes), !index[i].contains("refused")) << messages[i].name;
     if (index[i].contains("frame")) {
       EXPECT_EQ(json_from(*parse_frame(bytes)), index[i]["frame"]) << messages[i].name;
+    }
+    if (index[i].contains("audio")) {
+      EXPECT_EQ(json_from(*parse_audio(bytes)), index[i]["audio"]) << messages[i].name;
     }
   }
 }

@@ -12,7 +12,9 @@ namespace roomcast::wire {
 inline constexpr std::size_t kMaxFrameBytes = 2u << 20;               // header and payload
 inline constexpr std::size_t kMaxControlFromClientBytes = 16u << 10;  // with the 4-byte preamble
 inline constexpr std::size_t kMaxControlFromHubBytes = 256u << 10;
-inline constexpr std::size_t kMaxBundleBytes = 2u << 20;  // a control message with a bundle
+inline constexpr std::size_t kMaxBundleBytes = 2u << 20;    // a control message with a bundle
+inline constexpr std::size_t kMaxAudioBytes = 1400;         // header and payload
+inline constexpr std::size_t kMaxAudioPayloadBytes = 1275;  // one frame of Opus, RFC 6716 §3.2.1
 
 // Connections.
 inline constexpr std::chrono::seconds kJoinDeadline{5};
@@ -30,6 +32,7 @@ struct SendingLimits {
 inline constexpr SendingLimits kMaxFromSensor{1000, 2000, 64e6, 128e6};  // frames, at most 240 Hz
 inline constexpr SendingLimits kMaxFromViewer{300, 1200, 256e3, 1e6};  // poses; also before joining
 inline constexpr SendingLimits kMaxFromHub{300, 1200, 1e6, 4e6};       // presence of its viewers
+inline constexpr SendingLimits kMaxFromSpeaker{60, 150, 16e3, 64e3};   // audio packets, 50 a second
 inline constexpr SendingLimits kMaxFromAligner{100, 400, 1e6, 4e6};    // placements
 
 // Contents of messages.
@@ -59,10 +62,15 @@ inline constexpr std::chrono::milliseconds kSetDeadline{50};
 inline constexpr std::chrono::seconds kSensorSilent{1};
 inline constexpr std::chrono::seconds kMaxCaptureAhead{1};
 
+// Audio.
+inline constexpr std::size_t kMaxSpeakersHeard = 8;        // by one listener at a time
+inline constexpr std::size_t kMaxQueuedAudioPackets = 10;  // per listener and speaker: 200 ms
+
 // Rates.
 inline constexpr std::chrono::milliseconds kKeyRequestInterval{500};  // per sensor
 inline constexpr std::chrono::milliseconds kPoseInterval{50};         // hub to viewers, or longer:
 inline constexpr std::chrono::milliseconds kIntervalPerPose{5};   // for each pose that has changed
 inline constexpr std::chrono::milliseconds kRosterInterval{100};  // if only viewers changed
+inline constexpr std::chrono::milliseconds kVoicesInterval{200};  // who speaks
 
 }  // namespace roomcast::wire

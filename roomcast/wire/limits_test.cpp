@@ -14,6 +14,8 @@ TEST(Limits, are_those_of_the_spec) {
   EXPECT_EQ(kMaxControlFromClientBytes, 16'384u);
   EXPECT_EQ(kMaxControlFromHubBytes, 262'144u);
   EXPECT_EQ(kMaxBundleBytes, 2'097'152u);
+  EXPECT_EQ(kMaxAudioBytes, 1400u);
+  EXPECT_EQ(kMaxAudioPayloadBytes, 1275u);
   EXPECT_EQ(kMaxNoteBytes, 300u);
   EXPECT_EQ(kMaxTokenBytes, 1024u);
   EXPECT_EQ(kMaxOtherHubs, 16);
@@ -38,6 +40,8 @@ TEST(Limits, are_those_of_the_spec) {
   EXPECT_EQ(kMaxFps, 240);
   EXPECT_EQ(kMaxPosesPerSecond, 60);
   EXPECT_EQ(kMaxQueuedSets, 2u);
+  EXPECT_EQ(kMaxSpeakersHeard, 8u);
+  EXPECT_EQ(kMaxQueuedAudioPackets, 10u);
   EXPECT_EQ(kSetDeadline, 50ms);
   EXPECT_EQ(kSensorSilent, 1s);
   EXPECT_EQ(kMaxCaptureAhead, 1s);
@@ -45,6 +49,7 @@ TEST(Limits, are_those_of_the_spec) {
   EXPECT_EQ(kPoseInterval, 50ms);
   EXPECT_EQ(kIntervalPerPose, 5ms);
   EXPECT_EQ(kRosterInterval, 100ms);
+  EXPECT_EQ(kVoicesInterval, 200ms);
 }
 
 void expect_limits(const SendingLimits& limits, double messages_per_s, double messages_at_once,
@@ -59,6 +64,7 @@ TEST(Limits, per_role_are_those_of_the_spec) {
   expect_limits(kMaxFromSensor, 1000, 2000, 64e6, 128e6);
   expect_limits(kMaxFromViewer, 300, 1200, 256e3, 1e6);
   expect_limits(kMaxFromHub, 300, 1200, 1e6, 4e6);
+  expect_limits(kMaxFromSpeaker, 60, 150, 16e3, 64e3);
   expect_limits(kMaxFromAligner, 100, 400, 1e6, 4e6);
 }
 

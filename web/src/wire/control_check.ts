@@ -9,6 +9,7 @@ import type {
   Roster,
   ViewerPose,
   ViewerPoses,
+  Voices,
   Welcome,
 } from '../gen/control_pb';
 import { maxDepthSide, maxFps, maxImageSide, maxPosesPerMessage, maxPosition_m, maxSensors, maxViewers, minDepthSide } from './limits';
@@ -106,6 +107,10 @@ function checkViewerPoses(message: ViewerPoses): void {
   message.poses.forEach(checkViewerPose);
 }
 
+function checkVoices({ speaking, muted }: Voices): void {
+  if (speaking.length > maxViewers || muted.length > maxViewers) throw tooLarge('there are more voices than viewers in a room');
+}
+
 export function checkControl(control: Control): void {
   switch (control.message.case) {
     case 'welcome':
@@ -114,6 +119,8 @@ export function checkControl(control: Control): void {
       return checkRoster(control.message.value);
     case 'viewerPoses':
       return checkViewerPoses(control.message.value);
+    case 'voices':
+      return checkVoices(control.message.value);
     default: // the other kinds have no invalid values, or a viewer does not use them
   }
 }

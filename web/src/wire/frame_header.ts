@@ -16,6 +16,7 @@ const flagLast = 2;
 export enum MessageType {
   Frame = 1,
   Control = 2,
+  Audio = 3,
 }
 
 export interface FrameHeader {
@@ -40,7 +41,7 @@ export function messageType(message: DataView): MessageType {
   const found = message.getUint8(2);
   if (found !== version) throw unsupported(`roomcast version ${found} is not supported, only version ${version}`);
   const type = message.getUint8(3);
-  if (type !== MessageType.Frame && type !== MessageType.Control) throw unsupported(`message type ${type} is unknown`);
+  if (!(type in MessageType)) throw unsupported(`message type ${type} is unknown`);
   return type;
 }
 

@@ -5,6 +5,7 @@ import { fileURLToPath } from 'node:url';
 import { toJson } from '@bufbuild/protobuf';
 import { describe, expect, test } from 'vitest';
 import { ControlSchema } from '../gen/control_pb';
+import { audioPayload, parseAudioHeader } from './audio_header';
 import { decodeControl } from './control';
 import { framePayload, MessageType, messageType, parseFrameHeader } from './frame_header';
 import { WireError } from './wire_error';
@@ -13,6 +14,7 @@ interface GoldenEntry {
   file: string;
   frame?: Record<string, unknown>;
   control?: Record<string, unknown>;
+  audio?: Record<string, unknown>;
   refused?: string;
 }
 
@@ -47,14 +49,31 @@ function meaningOfFrame(bytes: Uint8Array): Record<string, unknown> {
   };
 }
 
+/** The fields of the audio packet, named as in wire.json. */
+function meaningOfAudio(bytes: Uint8Array): Record<string, unknown> {
+  const h = parseAudioHeader(viewOf(bytes));
+  expect(audioPayload(bytes, h).length).toBe(h.payloadLength);
+  return {
+    capture_ns: h.capture_ns.toString(),
+    codec: h.codec,
+    ends: h.ends,
+    header_length: h.headerLength,
+    payload_length: h.payloadLength,
+    seq: h.seq,
+    speaker: h.speaker,
+  };
+}
+
 function accept(bytes: Uint8Array): void {
-  if (messageType(viewOf(bytes)) === MessageType.Frame) parseFrameHeader(viewOf(bytes));
+  const type = messageType(viewOf(bytes));
+  if (type === MessageType.Frame) parseFrameHeader(viewOf(bytes));
+  else if (type === MessageType.Audio) parseAudioHeader(viewOf(bytes));
   else decodeControl(bytes);
 }
 
 describe('golden messages', () => {
-  test('there are frames, control messages and refusals', () => {
-    for (const kind of ['frame', 'control', 'refused'] as const) {
+  test('there are frames, audio packets, control messages and refusals', () => {
+    for (const kind of ['frame', 'audio', 'control', 'refused'] as const) {
       expect(entries.some((entry) => entry[kind] !== undefined)).toBe(true);
     }
   });
@@ -64,6 +83,10 @@ describe('golden messages', () => {
     if (entry.frame) {
       test(`${entry.file} reads as the header of the index`, () => {
         expect(meaningOfFrame(bytes)).toEqual(entry.frame);
+      });
+    } else if (entry.audio) {
+      test(`${entry.file} reads as the audio packet of the index`, () => {
+        expect(meaningOfAudio(bytes)).toEqual(entry.audio);
       });
     } else if (entry.control) {
       test(`${entry.file} reads as the message of the index`, () => {

@@ -4,6 +4,8 @@
 export const maxFrameBytes = 2 * 1024 * 1024; // header and payload
 export const maxControlFromClientBytes = 16 * 1024;
 export const maxControlFromHubBytes = 256 * 1024;
+export const maxAudioBytes = 1400; // header and payload
+export const maxAudioPayloadBytes = 1275;
 export const maxSensors = 32;
 export const maxViewers = 2048;
 export const maxPosesPerMessage = 512;
