@@ -35,7 +35,8 @@ constexpr std::pair<std::string_view, std::string_view> kSecurityFields[] = {
     {"Cross-Origin-Embedder-Policy", "require-corp"},
     {"Cross-Origin-Resource-Policy", "same-origin"},
     {"Referrer-Policy", "no-referrer"},
-    {"Permissions-Policy", "camera=(), microphone=(), geolocation=(), xr-spatial-tracking=(self)"},
+    {"Permissions-Policy",
+     "camera=(), microphone=(self), geolocation=(), xr-spatial-tracking=(self)"},
     {"X-Content-Type-Options", "nosniff"},
 };
 

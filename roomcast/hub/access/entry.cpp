@@ -80,6 +80,8 @@ Entry entry_of(const pb::Join& join, const Claims* claims, const RoomSettings& r
   Entry entry{.room = room.name};
   entry.may_record = meets(room.record, claims);
   entry.may_share = meets(room.share, claims);
+  const bool is_person = join.has_viewer() && !join.viewer().records() && !join.viewer().relays();
+  entry.may_speak = is_person && meets(room.speak, claims);
   if (claims == nullptr) return entry;
   entry.token_id = claims->id;
   entry.expires_at = claims->expires_at;

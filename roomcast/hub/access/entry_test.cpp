@@ -73,6 +73,25 @@ TEST_F(EntryTest, an_open_room_admits_everybody_without_placing_rights) {
   EXPECT_FALSE(std::get<Entry>(decide(viewer("open"))).may_place);
 }
 
+TEST_F(EntryTest, who_may_view_may_speak_unless_the_room_says_otherwise) {
+  const auto may_speak = [this](const pb::Join& join, const std::optional<Claims>& shown = {}) {
+    return std::get<Entry>(decide(join, shown)).may_speak;
+  };
+  EXPECT_TRUE(may_speak(viewer("open")));
+  EXPECT_TRUE(may_speak(viewer("lab"), claims("lab", TokenRole::kViewer)));
+  rooms["lab"].speak = rooms["open"].speak = AccessRule::kAdmin;
+  EXPECT_FALSE(may_speak(viewer("open")));
+  EXPECT_FALSE(may_speak(viewer("lab"), claims("lab", TokenRole::kViewer)));
+  EXPECT_TRUE(may_speak(viewer("lab"), claims("lab", TokenRole::kAdmin)));
+}
+
+TEST_F(EntryTest, sensors_recorders_and_relaying_hubs_do_not_speak) {
+  pb::Join hub = viewer("open");
+  hub.mutable_viewer()->set_relays(true);
+  for (const pb::Join& join : {hub, viewer("open", true), sensor("open", "left")})
+    EXPECT_FALSE(std::get<Entry>(decide(join)).may_speak);
+}
+
 TEST_F(EntryTest, a_refusal_without_token_asks_for_one) {
   EXPECT_EQ(fault(viewer("lab")), pb::ERROR_UNAUTHENTICATED);
   EXPECT_EQ(fault(sensor("lab", "left")), pb::ERROR_UNAUTHENTICATED);

@@ -98,7 +98,8 @@ Json brief_room(const RoomSettings& settings, const RoomStats& stats) {
                {"max_viewers", settings.max_viewers},
                {"view", name_of(settings.view)},
                {"record", name_of(settings.record)},
-               {"export", name_of(settings.share)}};
+               {"export", name_of(settings.share)},
+               {"speak", name_of(settings.speak)}};
   count_people(stats, json);
   return json;
 }
@@ -143,9 +144,13 @@ Json viewer_json(const ViewerStats& viewer, const std::string& address) {
   Json json = {{"id", viewer.id.value},
                {"name", viewer.name},
                {"records", viewer.records},
+               {"may_speak", viewer.may_speak},
+               {"speaks", viewer.speaks},
+               {"muted", viewer.muted},
                {"bytes", viewer.bytes},
                {"bytes_per_second", viewer.bytes_per_s},
                {"sets_dropped", viewer.dropped_sets},
+               {"audio_packets_dropped", viewer.dropped_audio},
                {"shown_fps", viewer.shown_fps},
                {"latency_ms", viewer.latency_ms}};
   if (!address.empty()) json["address"] = address;

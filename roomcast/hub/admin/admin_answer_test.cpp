@@ -50,6 +50,7 @@ TEST(AdminAnswer, a_sensor_has_only_known_fields) {
 TEST(AdminAnswer, a_viewer_and_a_token_have_all_fields) {
   const Json viewer = viewer_json({.id = ViewerId{4}, .name = "Ada", .token_id = "t"}, "a");
   EXPECT_EQ(viewer["token_id"], "t");
+  EXPECT_EQ(viewer["muted"], false);
   const Json token =
       token_json({.claims = {.id = "t", .grant = {.room = "lab", .role = TokenRole::kSensor}},
                   .revoked = true});

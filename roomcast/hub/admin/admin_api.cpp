@@ -2,7 +2,6 @@
 #include "roomcast/hub/admin/admin_api.h"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <utility>
 
@@ -111,6 +110,8 @@ void AdminApi::carry_out_in_room(const Call& call) {
       return end_sensor(call);
     case AdminCall::kListViewers:
       return list_viewers(call);
+    case AdminCall::kChangeViewer:
+      return change_viewer(call);
     case AdminCall::kRecording:
       return recording(call);
     case AdminCall::kStartRecording:
@@ -241,7 +242,7 @@ void AdminApi::close_room(const Call& call) {
                     });
 }
 
-// ---- clients in a room
+// ---- sensors of a room
 
 void AdminApi::list_sensors(const Call& call) const {
   Json sensors = Json::array();
@@ -250,15 +251,6 @@ void AdminApi::list_sensors(const Call& call) const {
     sensors.push_back(sensor_json(sensor, registry_.address_of(sensor.connection)));
   }
   call.respond(json_answer(200, {{"sensors", std::move(sensors)}}));
-}
-
-void AdminApi::list_viewers(const Call& call) const {
-  Json viewers = Json::array();
-  const RoomStats stats = *registry_.stats(call.parameter(0));
-  for (const ViewerStats& viewer : stats.viewers) {
-    viewers.push_back(viewer_json(viewer, registry_.address_of(viewer.connection)));
-  }
-  call.respond(json_answer(200, {{"viewers", std::move(viewers)}}));
 }
 
 void AdminApi::end_sensor(const Call& call) {
@@ -279,19 +271,6 @@ void AdminApi::forget_sensor(const Call& call) {
       [call](const Status& forgotten) {
         call.respond(forgotten ? no_content() : error_answer(forgotten.error()));
       });
-}
-
-void AdminApi::end_viewer(const Call& call) {
-  std::uint32_t id = 0;
-  const std::string& text = call.parameter(1);
-  std::from_chars(text.data(), text.data() + text.size(), id);
-  const RoomStats stats = *registry_.stats(call.parameter(0));
-  const auto found = std::ranges::find(stats.viewers, ViewerId{id}, &ViewerStats::id);
-  if (found == stats.viewers.end()) {
-    return call.respond(error_answer(404, "not_found", "no such viewer is in this room"));
-  }
-  registry_.disconnect_client(found->connection, "the room's owner ended this connection");
-  call.respond(no_content());
 }
 
 // ---- recordings

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,7 +52,9 @@ class AdminApi {
   void end_sensor(const Call& call);
   void forget_sensor(const Call& call);
   void list_viewers(const Call& call) const;
+  void change_viewer(const Call& call);
   void end_viewer(const Call& call);
+  [[nodiscard]] std::optional<ViewerStats> viewer_of(const Call& call) const;
   void recording(const Call& call) const;
   void start_recording(const Call& call);
   void stop_recording(const Call& call);

@@ -42,6 +42,14 @@ class FakeRecordings final : public RoomRecordings {
   static Error busy() { return {ErrorCode::kInvalidArgument, "not now"}; }
 };
 
+class QuietConnection final : public Connection {
+ public:
+  using Connection::Connection;
+  void accept(Role, RoomId) override {}
+  void deliver(ControlFanOut&) override {}
+  void disconnect(pb::ErrorCode, const std::string&) override {}
+};
+
 class AdminApiTest : public testing::Test {
  protected:
   AdminApiTest() {
@@ -240,6 +248,34 @@ TEST_F(AdminApiTest, an_absent_client_cannot_be_disconnected) {
   EXPECT_EQ(ask("DELETE", "/rooms/lab/sensors/left", hub_admin).code(), "not_found");
   EXPECT_EQ(ask("DELETE", "/rooms/lab/viewers/7", hub_admin).code(), "not_found");
   EXPECT_EQ(ask("DELETE", "/rooms/lab/viewers/x", hub_admin).code(), "not_found");
+}
+
+TEST_F(AdminApiTest, a_viewer_is_muted_until_that_is_ended) {
+  const auto viewer = std::make_shared<QuietConnection>(ConnectionId{1});
+  pb::Join join;
+  join.set_room("lab");
+  join.set_token(token("lab", TokenRole::kViewer));
+  join.mutable_viewer();
+  registry.on_join({.connection = viewer, .address = "10.0.0.7:5", .peer = "10.0.0.7"}, join);
+  const auto viewers = [this] { return ask("GET", "/rooms/lab/viewers", hub_admin).body; };
+  while (viewers()["viewers"].empty()) io.run_one_for(std::chrono::milliseconds(100));
+  EXPECT_EQ(viewers()["viewers"][0]["muted"], false);
+  const Answer muted = ask("PATCH", "/rooms/lab/viewers/1", hub_admin, {{"muted", true}});
+  EXPECT_EQ(muted.status, 200);
+  EXPECT_EQ(muted.body["muted"], true);
+  EXPECT_EQ(viewers()["viewers"][0]["muted"], true);
+  EXPECT_EQ(ask("PATCH", "/rooms/lab/viewers/1", hub_admin, {{"muted", false}}).body["muted"],
+            false);
+}
+
+TEST_F(AdminApiTest, muting_needs_a_viewer_a_boolean_and_an_admin) {
+  EXPECT_EQ(ask("PATCH", "/rooms/lab/viewers/7", hub_admin, {{"muted", true}}).code(), "not_found");
+  EXPECT_EQ(ask("PATCH", "/rooms/lab/viewers/7", hub_admin, {{"muted", 1}}).code(), "bad_request");
+  EXPECT_EQ(ask("PATCH", "/rooms/lab/viewers/7", hub_admin, {{"name", "x"}}).code(), "bad_request");
+  EXPECT_EQ(
+      ask("PATCH", "/rooms/lab/viewers/7", token("lab", TokenRole::kViewer), {{"muted", true}})
+          .code(),
+      "wrong_role");
 }
 
 TEST_F(AdminApiTest, an_offline_sensor_can_be_forgotten) {

@@ -20,6 +20,7 @@ constexpr std::array kRoutes = {
     AdminRoute{"GET", "/rooms/{room}/sensors", AdminCall::kListSensors},
     AdminRoute{"DELETE", "/rooms/{room}/sensors/{sensor}", AdminCall::kEndSensor},
     AdminRoute{"GET", "/rooms/{room}/viewers", AdminCall::kListViewers},
+    AdminRoute{"PATCH", "/rooms/{room}/viewers/{viewer}", AdminCall::kChangeViewer},
     AdminRoute{"DELETE", "/rooms/{room}/viewers/{viewer}", AdminCall::kEndViewer},
     AdminRoute{"GET", "/rooms/{room}/recording", AdminCall::kRecording},
     AdminRoute{"POST", "/rooms/{room}/recording", AdminCall::kStartRecording},

@@ -23,6 +23,7 @@ enum class AdminCall {
   kListSensors,
   kEndSensor,
   kListViewers,
+  kChangeViewer,
   kEndViewer,
   kRecording,
   kStartRecording,

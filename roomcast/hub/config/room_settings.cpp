@@ -104,6 +104,7 @@ std::map<std::string, Reader> readers_into(RoomSettings& s) {
           {"view", into(s.view)},
           {"record", into(s.record)},
           {"export", into(s.share)},
+          {"speak", into(s.speak)},
           {"stream_unwatched", into(s.stream_unwatched)},
           {"start_positions", into(s.start_positions)}};
 }
@@ -164,6 +165,7 @@ Json to_json(const RoomSettings& settings) {
           {"view", name_of(settings.view)},
           {"record", name_of(settings.record)},
           {"export", name_of(settings.share)},
+          {"speak", name_of(settings.speak)},
           {"stream_unwatched", settings.stream_unwatched},
           {"start_positions", std::move(positions)}};
 }

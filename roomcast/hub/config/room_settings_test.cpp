@@ -26,6 +26,7 @@ TEST(RoomSettings, survive_conversion_to_json) {
                               .view = AccessRule::kAdmin,
                               .record = AccessRule::kNobody,
                               .share = AccessRule::kToken,
+                              .speak = AccessRule::kAdmin,
                               .stream_unwatched = true,
                               .start_positions = {{.x_m = 1, .z_m = -2, .eye_height_m = 1.7}}};
   const auto read = changed({}, to_json(settings));

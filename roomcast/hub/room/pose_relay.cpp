@@ -20,6 +20,11 @@ void PoseRelay::set(ViewerId viewer, const wire::pb::ViewerPose& pose, RoomTime 
   person.has_changed = has_changed_ = true;
 }
 
+const wire::pb::Pose* PoseRelay::head_of(ViewerId viewer) const {
+  const auto person = people_.find(viewer);
+  return person == people_.end() ? nullptr : &person->second.pose.head();
+}
+
 void PoseRelay::resend_all() {
   for (auto& [viewer, person] : people_) person.has_changed = has_changed_ = true;
 }

@@ -18,6 +18,8 @@ class PoseRelay {
   /// Sets the newest pose of a viewer. Poses beyond kMaxPosesPerSecond of a viewer are dropped.
   void set(ViewerId viewer, const wire::pb::ViewerPose& pose, RoomTime now);
   void forget(ViewerId viewer) { people_.erase(viewer); }
+  /// The head of a viewer, until the next call of set() or forget(); null: it has sent no pose.
+  [[nodiscard]] const wire::pb::Pose* head_of(ViewerId viewer) const;
   /// Marks all poses as new, for a client that has just joined.
   void resend_all();
 

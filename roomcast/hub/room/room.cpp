@@ -206,6 +206,7 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
     send_closed_sets(now, out);
   } else if (const auto viewer = viewers_.find(from); viewer != viewers_.end()) {
     poses_.forget(viewer->second.id);
+    voices_.forget(viewer->second.id);
     viewers_.erase(viewer);
     forget_people(remote_presence_.forget(from));
     send_roster_when_due(now, out);
@@ -229,6 +230,7 @@ RoomActions Room::tick(RoomTime now) {
   if (auto poses = poses_.take(now)) {
     out.push_back(SendControl{readers_of_poses(), *std::move(poses)});
   }
+  send_voices(now, out);
   if (roster_changed_ && now >= next_roster_) send_roster(now, out);
   update_demand(now, out);
   return out;
@@ -243,6 +245,7 @@ std::optional<RoomTime> Room::next_tick() const {
     if (sensor.connection) consider(sensor.key_pace.next());
   }
   consider(poses_.next());
+  consider(voices_.next());
   consider(demand_.next());
   if (roster_changed_) consider(next_roster_);
   return next;
@@ -339,6 +342,7 @@ RoomStats Room::stats() const {
   RoomStats stats = set_stats_;
   stats.room = settings_.name;
   stats.frames_wanted = demand_.wanted();
+  stats.speakers = voices_.speaker_count();
   for (const RoomSensor& sensor : sensors_.all()) {
     SensorStats& entry = stats.sensors.emplace_back(sensor.stats);
     entry.id = sensor.id;
@@ -355,6 +359,9 @@ RoomStats Room::stats() const {
                              .connection = connection,
                              .token_id = viewer.token_id,
                              .records = viewer.records,
+                             .may_speak = viewer.may_speak,
+                             .speaks = voices_.is_speaking(viewer.id),
+                             .muted = voices_.is_muted(viewer.id),
                              .shown_fps = viewer.reported_stats.shown_fps(),
                              .latency_ms = viewer.reported_stats.latency_ms()});
   }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -26,7 +27,9 @@
 #include "roomcast/hub/room/room_stats.h"
 #include "roomcast/hub/room/sensor_list.h"
 #include "roomcast/hub/room/start_pose.h"
+#include "roomcast/hub/room/voice_relay.h"
 #include "roomcast/net/message_buffer.h"
+#include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/control.pb.h"
 #include "roomcast/wire/frame_header.h"
 
@@ -49,7 +52,7 @@ class Room {
   /// called before any event.
   void remember(std::vector<KnownSensor> sensors) { sensors_.remember(std::move(sensors)); }
 
-  // Events. Messages have passed wire::decode_control or wire::parse_frame.
+  // Events. Messages have passed wire::decode_control, parse_frame or parse_audio.
 
   /// A client was admitted with the permissions in `entry`.
   [[nodiscard]] RoomActions join(ConnectionId from, const wire::pb::Join& join, const Entry& entry,
@@ -61,6 +64,11 @@ class Room {
                                   net::MessageBuffer message, RoomTime now);
   /// Several frames that arrived together. Their messages are moved from.
   [[nodiscard]] RoomActions frames(std::span<IncomingFrame> together, RoomTime now);
+  /// An audio packet of a viewer.
+  [[nodiscard]] RoomActions audio(ConnectionId from, const wire::AudioHeader& header,
+                                  net::MessageBuffer message, RoomTime now);
+  /// Mutes a viewer for all, also when it joins again with the same token; or ends that.
+  [[nodiscard]] RoomActions mute(ViewerId viewer, bool muted, RoomTime now);
   /// The reason for which frame() would refuse it; nothing: it would accept it.
   [[nodiscard]] std::optional<Refusal> fault_of(ConnectionId from, const wire::FrameHeader& header,
                                                 RoomTime now);
@@ -94,6 +102,8 @@ class Room {
     bool may_nudge = false;
     bool records = false;
     bool relays = false;  // it is a hub that relays this room
+    bool may_speak = false;
+    bool hears = false;  // it wants audio packets
     std::string token_id;
     wire::pb::ViewerStats reported_stats = {};  // reported by the viewer
     RateLimit people{kPeopleReportsPerSecond, 4 * kPeopleReportsPerSecond};
@@ -120,6 +130,8 @@ class Room {
   RoomActions take_people(ConnectionId from, const wire::pb::PeopleHere& people, RoomTime now);
   void take_poses(ConnectionId from, const wire::pb::ViewerPoses& poses, RoomTime now);
   bool forget_people(const RemotePresence::Change& change);
+  void add_voice(ConnectionId connection, const Viewer& viewer, RoomActions& out);
+  void send_voices(RoomTime now, RoomActions& out);
   void name_other_hubs(const wire::pb::Control& message, RoomActions& out);
   bool evict_for(const std::string& name);
   RoomSensor* known_or_new_sensor(const std::string& name, RoomActions& out);
@@ -149,6 +161,8 @@ class Room {
   wire::pb::Control other_hubs_;  // the other hubs that have this room; empty: none
   RemotePresence remote_presence_;
   PoseRelay poses_;
+  VoiceRelay voices_;
+  std::set<std::string> muted_tokens_;
   FrameSynchronizer sets_;
   FrameDemand demand_;
   bool is_watched_elsewhere_ = false;

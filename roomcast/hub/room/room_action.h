@@ -24,6 +24,13 @@ struct SendSet {
   FrameSetPtr set;
 };
 
+/// An audio packet for these listeners.
+struct SendAudio {
+  std::vector<ConnectionId> to;
+  ViewerId speaker;
+  net::FramedMessagePtr packet;
+};
+
 /// The sensor has started again. Frames that viewers already have are no reference for its next
 /// ones.
 struct RestartSensor {
@@ -52,8 +59,8 @@ struct SaveSensors {
   std::vector<KnownSensor> sensors;
 };
 
-using RoomAction =
-    std::variant<SendControl, SendSet, RestartSensor, AcceptConnection, Disconnect, SaveSensors>;
+using RoomAction = std::variant<SendControl, SendSet, SendAudio, RestartSensor, AcceptConnection,
+                                Disconnect, SaveSensors>;
 using RoomActions = std::vector<RoomAction>;
 
 }  // namespace roomcast::hub

@@ -129,6 +129,7 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, const Entry& ent
   welcome.mutable_welcome()->set_may_place(entry.may_place);
   welcome.mutable_welcome()->set_may_record(entry.may_record);
   welcome.mutable_welcome()->set_may_export(entry.may_share);
+  welcome.mutable_welcome()->set_may_speak(entry.may_speak);
   wire::write_transform(next_start_pose(), *welcome.mutable_welcome()->mutable_start_pose());
   welcome.mutable_welcome()->set_viewer_id(next_viewer_id_);
 
@@ -140,11 +141,14 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, const Entry& ent
                     .may_nudge = entry.may_place,
                     .records = join.viewer().records(),
                     .relays = join.viewer().relays(),
+                    .may_speak = entry.may_speak,
+                    .hears = join.viewer().hears(),
                     .token_id = entry.token_id};
   ++next_viewer_id_;
   out.push_back(AcceptConnection{from, join.viewer().relays() ? Role::kHub : Role::kViewer});
   out.push_back(SendControl{{from}, std::move(welcome)});
   if (!send_roster_when_due(now, out)) out.push_back(SendControl{{from}, roster_message()});
+  add_voice(from, viewers_[from], out);
   for (RoomSensor& sensor : sensors_.all()) {
     if (sensor.connection && sensor.key_pace.request(now)) ask_for_key(sensor, out);
   }

@@ -45,9 +45,13 @@ struct ViewerStats {
   ConnectionId connection = {};
   std::string token_id = {};  // of the token that it joined with
   bool records = false;
+  bool may_speak = false;
+  bool speaks = false;                  // at present
+  bool muted = false;                   // by an admin
   float shown_fps = 0, latency_ms = 0;  // reported by the viewer; 0: not reported
   std::uint64_t bytes = 0;              // sent to it
   std::uint64_t dropped_sets = 0;       // dropped because it reads too slowly
+  std::uint64_t dropped_audio = 0;      // packets, for the same reason
   double bytes_per_s = 0;               // over the last second or so
 };
 
@@ -59,6 +63,8 @@ struct RoomStats {
   std::uint64_t incomplete_sets = 0;  // without a frame of some sensor that was online
   std::uint64_t dropped_sets = 0;     // dropped for slow viewers, over all viewers so far
   double set_skew_s = 0;              // between the first and last capture in the newest set
+  std::size_t speakers = 0;           // at present
+  std::uint64_t audio_packets = 0;    // received
   bool frames_wanted = false;         // else its sensors send none, because nobody watches
 };
 

@@ -9,17 +9,24 @@
 
 namespace roomcast::hub {
 
-void ControlFanOut::add(Shard& shard, ConnectionId session) {
+void ReceiversByShard::add(Shard& shard, ConnectionId session) {
   auto receivers = std::ranges::find(by_shard_, &shard, &Receivers::shard);
   if (receivers == by_shard_.end()) receivers = by_shard_.insert(receivers, {&shard, {}});
   receivers->sessions.push_back(session);
 }
 
 void ControlFanOut::send() {
-  if (by_shard_.empty()) return;
+  if (receivers_.empty()) return;
   const auto framed = framed_control(message_);
-  for (auto& [shard, sessions] : by_shard_) shard->send_control(std::move(sessions), framed);
-  by_shard_.clear();
+  for (auto& [shard, sessions] : receivers_.take()) {
+    shard->send_control(std::move(sessions), framed);
+  }
+}
+
+void AudioFanOut::send() {
+  for (auto& [shard, sessions] : receivers_.take()) {
+    shard->send_audio(std::move(sessions), speaker_, packet_);
+  }
 }
 
 void Connection::send(const wire::pb::Control& message) {

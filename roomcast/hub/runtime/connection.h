@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "roomcast/core/ids.h"
@@ -26,6 +27,23 @@ class ConnectionIds {
   std::atomic<std::uint64_t> last_ = 0;
 };
 
+/// The receivers of a message, sorted by the shards that have them.
+class ReceiversByShard {
+ public:
+  struct Receivers {
+    Shard* shard;
+    std::vector<ConnectionId> sessions;
+  };
+
+  void add(Shard& shard, ConnectionId session);
+  [[nodiscard]] bool empty() const { return by_shard_.empty(); }
+  /// Leaves none.
+  [[nodiscard]] std::vector<Receivers> take() { return std::exchange(by_shard_, {}); }
+
+ private:
+  std::vector<Receivers> by_shard_;
+};
+
 /// A control message on its way to several connections. It is encoded once, and posted once to each
 /// shard that has receivers.
 class ControlFanOut {
@@ -35,17 +53,31 @@ class ControlFanOut {
 
   [[nodiscard]] const wire::pb::Control& message() const { return message_; }
   /// Adds a session of this shard to the receivers.
-  void add(Shard& shard, ConnectionId session);
+  void add(Shard& shard, ConnectionId session) { receivers_.add(shard, session); }
   /// Posts the message to the shards.
   void send();
 
  private:
-  struct Receivers {
-    Shard* shard;
-    std::vector<ConnectionId> sessions;
-  };
   const wire::pb::Control& message_;
-  std::vector<Receivers> by_shard_;
+  ReceiversByShard receivers_;
+};
+
+/// An audio packet on its way to several connections. It is posted once to each shard that has
+/// receivers.
+class AudioFanOut {
+ public:
+  AudioFanOut(ViewerId speaker, net::FramedMessagePtr packet)
+      : speaker_(speaker), packet_(std::move(packet)) {}
+
+  /// Adds a session of this shard to the receivers.
+  void add(Shard& shard, ConnectionId session) { receivers_.add(shard, session); }
+  /// Posts the packet to the shards.
+  void send();
+
+ private:
+  const ViewerId speaker_;
+  const net::FramedMessagePtr packet_;
+  ReceiversByShard receivers_;
 };
 
 class Connection {
@@ -62,6 +94,8 @@ class Connection {
   virtual void accept(Role role, RoomId room) = 0;
   /// Delivers the message, at once or when the fan-out is sent.
   virtual void deliver(ControlFanOut& control) = 0;
+  /// Delivers the packet when the fan-out is sent. Only sessions get audio.
+  virtual void hear(AudioFanOut& /*audio*/) {}
   /// The room has removed it, or refused it. No other call follows.
   virtual void disconnect(wire::pb::ErrorCode code, const std::string& sentence) = 0;
 

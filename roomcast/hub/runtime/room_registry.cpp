@@ -75,6 +75,10 @@ void RoomRegistry::forget_sensor(const std::string& room, const std::string& sen
   rooms_.at(room)->forget_sensor(sensor);
 }
 
+void RoomRegistry::mute(const std::string& room, ViewerId viewer, bool muted) {
+  rooms_.at(room)->mute(viewer, muted);
+}
+
 const RoomSettings* RoomRegistry::find(const std::string& room) const {
   const auto found = rooms_.find(room);
   return found == rooms_.end() ? nullptr : &found->second->settings();
@@ -224,6 +228,11 @@ void RoomRegistry::on_control(ConnectionId from, const pb::Control& message) {
 void RoomRegistry::on_frame(ConnectionId from, const wire::FrameHeader& header,
                             net::MessageBuffer message) {
   if (RoomRunner* room = room_of(from)) room->frame(from, header, std::move(message));
+}
+
+void RoomRegistry::on_audio(ConnectionId from, const wire::AudioHeader& header,
+                            net::MessageBuffer message) {
+  if (RoomRunner* room = room_of(from)) room->audio(from, header, std::move(message));
 }
 
 void RoomRegistry::on_watched_elsewhere(const std::string& room, bool is_watched) {

@@ -72,6 +72,8 @@ class RoomRegistry final : public BackplaneEvents {
 
   /// Makes a room forget a sensor that is offline. The caller removes it from the store.
   void forget_sensor(const std::string& room, const std::string& sensor);
+  /// Mutes a viewer of an open room for all, or ends that.
+  void mute(const std::string& room, ViewerId viewer, bool muted);
   /// Disconnects a client. False: it is in no room any more.
   bool disconnect_client(ConnectionId client, const std::string& sentence);
   /// Disconnects the clients that joined with one of these tokens.
@@ -101,6 +103,8 @@ class RoomRegistry final : public BackplaneEvents {
   void on_control(ConnectionId from, const wire::pb::Control& message) override;
   void on_frame(ConnectionId from, const wire::FrameHeader& header,
                 net::MessageBuffer message) override;
+  void on_audio(ConnectionId from, const wire::AudioHeader& header,
+                net::MessageBuffer message) override;
   void on_frames(std::span<IncomingFrame> together) override;
   void on_watched_elsewhere(const std::string& room, bool is_watched) override;
   void on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) override;
@@ -116,7 +120,7 @@ class RoomRegistry final : public BackplaneEvents {
     bool relays = false;         // it is a hub that relays the room
   };
   struct Sent {
-    std::uint64_t bytes = 0, dropped_sets = 0;
+    std::uint64_t bytes = 0, dropped_sets = 0, dropped_audio = 0;
   };
   void on_checked(const ConnectionInfo& connection_info, const wire::pb::Join& join,
                   const Verdict<NewToken>& shown, bool was_code);

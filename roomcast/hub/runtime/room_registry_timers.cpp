@@ -73,7 +73,7 @@ void RoomRegistry::record_traffic(std::size_t shard, const ShardTraffic& traffic
   const HostTime now = clock_.now();
   for (const auto& viewer : traffic.viewers) {
     if (!clients_.contains(viewer.connection)) continue;
-    sent_[viewer.connection] = {viewer.bytes, viewer.dropped_sets};
+    sent_[viewer.connection] = {viewer.bytes, viewer.dropped_sets, viewer.dropped_audio};
     viewer_bytes_.sample(viewer.connection, viewer.bytes, now);
   }
   for (const auto& room : traffic.rooms) dropped_sets_[{room.room, shard}] = room.dropped_sets;
@@ -108,6 +108,7 @@ RoomStats RoomRegistry::stats_of(const RoomRunner& room) const {
     if (sent == sent_.end()) continue;
     viewer.bytes = sent->second.bytes;
     viewer.dropped_sets = sent->second.dropped_sets;
+    viewer.dropped_audio = sent->second.dropped_audio;
     viewer.bytes_per_s = viewer_bytes_.per_s(viewer.connection);
   }
   for (std::size_t shard = 0; shard < shards_.size(); ++shard) {

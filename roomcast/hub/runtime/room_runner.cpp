@@ -35,6 +35,11 @@ void RoomRunner::frame(ConnectionId from, const wire::FrameHeader& header,
   apply(room_.frame(from, header, std::move(message), now()));
 }
 
+void RoomRunner::audio(ConnectionId from, const wire::AudioHeader& header,
+                       net::MessageBuffer message) {
+  apply(room_.audio(from, header, std::move(message), now()));
+}
+
 void RoomRunner::frames(std::span<IncomingFrame> together) {
   apply(room_.frames(together, now()));
 }
@@ -115,6 +120,14 @@ void RoomRunner::apply(const SendControl& action) {
 
 void RoomRunner::apply(const SendSet& action) {
   for (const auto& shard : context_.shards) shard->send_set(id_, action.set);
+}
+
+void RoomRunner::apply(const SendAudio& action) {
+  AudioFanOut audio(action.speaker, action.packet);
+  for (const ConnectionId to : action.to) {
+    if (const ConnectionPtr connection = find(to)) connection->hear(audio);
+  }
+  audio.send();
 }
 
 void RoomRunner::apply(const RestartSensor& action) {

@@ -47,6 +47,10 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
   /// A frame of a sensor that is connected to this hub. If the room accepts it, the other hubs get
   /// it, too.
   void frame(ConnectionId from, const wire::FrameHeader& header, net::MessageBuffer message);
+  /// An audio packet of a viewer.
+  void audio(ConnectionId from, const wire::AudioHeader& header, net::MessageBuffer message);
+  /// As Room::mute.
+  void mute(ViewerId viewer, bool muted) { apply(room_.mute(viewer, muted, now())); }
   /// Frames of sensors at other hubs that arrived together. Their messages are moved from.
   void frames(std::span<IncomingFrame> together);
   /// Frames of these sensors were dropped for a viewer, or for viewers of another hub.
@@ -77,6 +81,7 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
   void apply(const RoomActions& actions);
   void apply(const SendControl& action);
   void apply(const SendSet& action);
+  void apply(const SendAudio& action);
   void apply(const RestartSensor& action);
   void apply(const AcceptConnection& action);
   void apply(const Disconnect& action);

@@ -14,6 +14,20 @@ bool SendQueue::push_control(net::FramedMessagePtr message) {
   return true;
 }
 
+void SendQueue::push_audio(ViewerId speaker, net::FramedMessagePtr packet) {
+  const auto drop_oldest = [this](auto oldest) {
+    audio_.erase(oldest);
+    ++dropped_audio_;
+  };
+  const auto waiting = std::ranges::count(audio_, speaker, &QueuedAudio::speaker);
+  if (waiting >= static_cast<std::ptrdiff_t>(wire::kMaxQueuedAudioPackets)) {
+    drop_oldest(std::ranges::find(audio_, speaker, &QueuedAudio::speaker));
+  } else if (audio_.size() >= wire::kMaxQueuedAudioPackets * wire::kMaxSpeakersHeard) {
+    drop_oldest(audio_.begin());  // other speakers were nearest before
+  }
+  audio_.push_back({speaker, std::move(packet)});
+}
+
 void SendQueue::push_set(FrameSetPtr set) {
   sets_.push_back({std::move(set), 0});
   drop_excess();
@@ -65,6 +79,11 @@ net::FramedMessagePtr SendQueue::next() {
     auto message = std::move(control_.front());
     control_.erase(control_.begin());
     return message;
+  }
+  if (!audio_.empty()) {
+    auto packet = std::move(audio_.front().packet);
+    audio_.erase(audio_.begin());
+    return packet;
   }
   while (!sets_.empty()) {
     auto& [set, next_frame, base_only] = sets_.front();

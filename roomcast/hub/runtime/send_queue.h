@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SendQueue: the messages that wait to be written to one connection. Control messages go first,
-// then frame sets. The sets of which no byte is written yet may add up to kMaxQueuedSets whole
-// sets. When more come, the oldest set with upper-layer frames loses these, since no frame depends
-// on them; if no set has any, the oldest set is dropped. So a slow viewer loses its own frames,
-// upper layers first, and delays no other viewer. Frames that depend on a dropped frame are dropped
-// too, because the receiver could not decode them. docs/spec/wire.md §2 (last paragraph) and §3
-// "Back-pressure". Pure.
+// then audio packets, then frame sets. Of each speaker kMaxQueuedAudioPackets may wait; when more
+// come, its oldest is dropped. Audio drops no frames, and frames drop no audio. The sets of which
+// no byte is written yet may add up to kMaxQueuedSets whole sets. When more come, the oldest set
+// with upper-layer frames loses these, since no frame depends on them; if no set has any, the
+// oldest set is dropped. So a slow viewer loses its own frames, upper layers first, and delays no
+// other viewer. Frames that depend on a dropped frame are dropped too, because the receiver could
+// not decode them. docs/spec/wire.md §2 (last paragraph) and §3 "Back-pressure". Pure.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +25,7 @@ class SendQueue {
   /// False: kMaxQueuedControlMessages wait already, and the receiver must be disconnected.
   [[nodiscard]] bool push_control(net::FramedMessagePtr message);
   void push_set(FrameSetPtr set);
+  void push_audio(ViewerId speaker, net::FramedMessagePtr packet);
 
   /// The next message to write; null: there is none.
   [[nodiscard]] net::FramedMessagePtr next();
@@ -37,12 +39,18 @@ class SendQueue {
 
   /// The number of sets that were dropped whole.
   [[nodiscard]] std::uint64_t dropped_sets() const { return dropped_sets_; }
+  /// The number of audio packets that were dropped.
+  [[nodiscard]] std::uint64_t dropped_audio() const { return dropped_audio_; }
 
  private:
   struct QueuedSet {
     FrameSetPtr set;
     std::size_t next_frame = 0;
     bool base_only = false;  // without its upper layers
+  };
+  struct QueuedAudio {
+    ViewerId speaker;
+    net::FramedMessagePtr packet;
   };
   struct Chain {
     bool broken = true;          // no reference frame: only a key frame can be decoded
@@ -62,9 +70,11 @@ class SendQueue {
   // place.
   boost::container::small_vector<net::FramedMessagePtr, 2> control_;
   boost::container::small_vector<QueuedSet, 4> sets_;
+  std::vector<QueuedAudio> audio_;
   boost::container::small_vector<Chain, 4> chains_;  // by sensor id
   std::vector<SensorId> key_needs_;
   std::uint64_t dropped_sets_ = 0;
+  std::uint64_t dropped_audio_ = 0;
 };
 
 }  // namespace roomcast::hub

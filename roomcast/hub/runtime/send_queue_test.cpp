@@ -55,6 +55,45 @@ TEST(SendQueue, control_messages_precede_frames) {
   EXPECT_EQ(send_queue.next(), nullptr);
 }
 
+TEST(SendQueue, audio_comes_after_control_messages_and_before_frames) {
+  SendQueue send_queue;
+  const auto set = frame_set_of({{kSensor, 0, 0}, {kOtherSensor, 0, 0}});
+  send_queue.push_set(set);
+  EXPECT_EQ(send_queue.next(), set->frames[0].message);
+  const auto audio = some_message(), control = some_message();
+  send_queue.push_audio(ViewerId{1}, audio);
+  ASSERT_TRUE(send_queue.push_control(control));
+  EXPECT_EQ(send_queue.next(), control);
+  EXPECT_EQ(send_queue.next(), audio) << "even within a set";
+  EXPECT_EQ(send_queue.next(), set->frames[1].message);
+}
+
+TEST(SendQueue, old_audio_of_a_speaker_is_dropped_and_no_frame_and_no_other_speaker) {
+  SendQueue send_queue;
+  const auto set = frame_set_of({{kSensor, 0, 0}});
+  send_queue.push_set(set);
+  const auto other = some_message();
+  send_queue.push_audio(ViewerId{2}, other);
+  std::vector<net::FramedMessagePtr> packets;
+  for (std::size_t i = 0; i < wire::kMaxQueuedAudioPackets + 3; ++i) {
+    packets.push_back(some_message());
+    send_queue.push_audio(ViewerId{1}, packets.back());
+  }
+  EXPECT_EQ(send_queue.dropped_audio(), 3U);
+  EXPECT_EQ(send_queue.next(), other);
+  for (std::size_t i = 3; i < packets.size(); ++i) EXPECT_EQ(send_queue.next(), packets[i]);
+  EXPECT_EQ(send_queue.next(), set->frames[0].message);
+  EXPECT_EQ(send_queue.dropped_sets(), 0U);
+}
+
+TEST(SendQueue, audio_of_ever_new_speakers_is_bounded) {
+  SendQueue send_queue;
+  for (std::uint32_t speaker = 0; speaker < 1000; ++speaker)
+    send_queue.push_audio(ViewerId{speaker}, some_message());
+  EXPECT_EQ(drain(send_queue),
+            static_cast<int>(wire::kMaxQueuedAudioPackets * wire::kMaxSpeakersHeard));
+}
+
 TEST(SendQueue, drops_the_oldest_unstarted_set) {
   SendQueue send_queue;
   std::vector<FrameSetPtr> sets;

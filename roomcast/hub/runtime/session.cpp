@@ -60,7 +60,9 @@ Session::Session(ConnectionPtr in_room, net::WebSocketConnection& connection, Se
       connection_(connection),
       hub_(hub),
       clock_(clock),
-      limits_(limits) {
+      limits_(limits),
+      audio_packets_(limits.speaker.messages_per_s, limits.speaker.messages_at_once),
+      audio_bytes_(limits.speaker.bytes_per_s, limits.speaker.bytes_at_once) {
   limit(limits_.viewer);
 }
 
@@ -77,6 +79,7 @@ void Session::on_message(net::MessageBuffer message) {
   const auto type = wire::message_type(message.payload());
   if (!type) return refuse(type.error());
   if (*type == wire::MessageType::kFrame) return take_frame(std::move(message));
+  if (*type == wire::MessageType::kAudio) return take_audio(std::move(message));
   take_control(message.payload());
 }
 
@@ -87,6 +90,18 @@ void Session::take_frame(net::MessageBuffer message) {
   const auto header = wire::parse_frame(message.payload());
   if (!header) return refuse(header.error());
   hub_.on_frame(id(), *header, std::move(message));
+}
+
+void Session::take_audio(net::MessageBuffer message) {
+  if (is_sensor_ || !is_accepted_) {
+    return disconnect(pb::ERROR_UNEXPECTED, "only a viewer that has joined may send audio");
+  }
+  const auto header = wire::parse_audio(message.payload());
+  if (!header) return refuse(header.error());
+  const HostTime now = clock_.now();
+  if (!audio_packets_.take(1, now) || !audio_bytes_.take(static_cast<double>(message.size()), now))
+    return disconnect(pb::ERROR_TOO_FAST, "this is more audio than one person speaks");
+  hub_.on_audio(id(), *header, std::move(message));
 }
 
 void Session::take_control(std::span<const std::uint8_t> message) {
@@ -143,6 +158,11 @@ bool Session::send_control(net::FramedMessagePtr message) {
 
 void Session::send_set(FrameSetPtr set) {
   send_queue_.push_set(std::move(set));
+  connection_.wake();
+}
+
+void Session::send_audio(ViewerId speaker, net::FramedMessagePtr packet) {
+  send_queue_.push_audio(speaker, std::move(packet));
   connection_.wake();
 }
 

@@ -16,6 +16,7 @@
 #include "roomcast/hub/runtime/connection.h"
 #include "roomcast/hub/runtime/send_queue.h"
 #include "roomcast/net/websocket_connection.h"
+#include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/control.pb.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
@@ -45,6 +46,9 @@ class SessionEvents {
   virtual void on_control(ConnectionId from, const wire::pb::Control& message) = 0;
   virtual void on_frame(ConnectionId from, const wire::FrameHeader& header,
                         net::MessageBuffer message) = 0;
+  /// A viewer speaks. By default it is ignored: backplanes bring in none.
+  virtual void on_audio(ConnectionId /*from*/, const wire::AudioHeader& /*header*/,
+                        net::MessageBuffer /*message*/) {}
   /// Frames of these sensors were dropped for this connection.
   virtual void on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) = 0;
   /// The session is over; it is not used after this.
@@ -57,6 +61,7 @@ struct SessionLimits {
   wire::SendingLimits viewer = wire::kMaxFromViewer;  // also before a connection is accepted
   wire::SendingLimits hub = wire::kMaxFromHub;
   wire::SendingLimits aligner = wire::kMaxFromAligner;
+  wire::SendingLimits speaker = wire::kMaxFromSpeaker;  // of a viewer's messages, its audio
 
   [[nodiscard]] const wire::SendingLimits& of(Role role) const;
 };
@@ -82,7 +87,9 @@ class Session final : public net::ConnectionHandler {
   /// False: too many control messages are unread; disconnect the peer.
   [[nodiscard]] bool send_control(net::FramedMessagePtr message);
   void send_set(FrameSetPtr set);
+  void send_audio(ViewerId speaker, net::FramedMessagePtr packet);
   [[nodiscard]] std::uint64_t dropped_sets() const { return send_queue_.dropped_sets(); }
+  [[nodiscard]] std::uint64_t dropped_audio() const { return send_queue_.dropped_audio(); }
   void restart_sensor(SensorId sensor) { send_queue_.forget(sensor); }
 
   /// Sends the reason and closes. on_left is the only event after this.
@@ -90,6 +97,7 @@ class Session final : public net::ConnectionHandler {
 
  private:
   void take_frame(net::MessageBuffer message);
+  void take_audio(net::MessageBuffer message);
   void take_control(std::span<const std::uint8_t> message);
   void answer_clock_ping(const wire::pb::ClockPing& ping);
   void refuse(const Error& error);
@@ -105,6 +113,7 @@ class Session final : public net::ConnectionHandler {
   bool is_accepted_ = false;
   bool is_sensor_ = false;  // as stated in its Join; the room decides
   RateLimit messages_{0, 0}, bytes_{0, 0};
+  RateLimit audio_packets_, audio_bytes_;
 };
 
 }  // namespace roomcast::hub

@@ -22,6 +22,7 @@ class SessionConnection final : public Connection {
 
   void accept(Role role, RoomId room) override { shard_.accept(id(), role, room); }
   void deliver(ControlFanOut& control) override { control.add(shard_, id()); }
+  void hear(AudioFanOut& audio) override { audio.add(shard_, id()); }
   void disconnect(wire::pb::ErrorCode code, const std::string& sentence) override {
     shard_.disconnect(id(), code, sentence);
   }
@@ -98,6 +99,15 @@ void Shard::send_set(RoomId room, FrameSetPtr set) {
   });
 }
 
+void Shard::send_audio(std::vector<ConnectionId> to, ViewerId speaker,
+                       net::FramedMessagePtr packet) {
+  asio::dispatch(loops_.io, [this, to = std::move(to), speaker, packet = std::move(packet)] {
+    for (const ConnectionId connection : to) {
+      if (Session* session = find(connection)) session->send_audio(speaker, packet);
+    }
+  });
+}
+
 void Shard::restart_sensor(RoomId room, SensorId sensor) {
   asio::dispatch(loops_.io, [this, room, sensor] {
     const auto found = viewers_.find(room);
@@ -116,7 +126,8 @@ void Shard::report_traffic(std::function<void(ShardTraffic)> to) {
     for (const auto& [room, viewers] : viewers_) {
       traffic.rooms.push_back({room, viewers.dropped_sets});
       for (const Session* viewer : viewers.sessions) {
-        traffic.viewers.push_back({viewer->id(), viewer->bytes_out(), viewer->dropped_sets()});
+        traffic.viewers.push_back(
+            {viewer->id(), viewer->bytes_out(), viewer->dropped_sets(), viewer->dropped_audio()});
       }
     }
     asio::dispatch(loops_.room_io,
@@ -145,6 +156,13 @@ void Shard::on_frame(ConnectionId from, const wire::FrameHeader& header,
                      net::MessageBuffer message) {
   asio::dispatch(loops_.room_io, [this, from, header, message = std::move(message)]() mutable {
     room_.on_frame(from, header, std::move(message));
+  });
+}
+
+void Shard::on_audio(ConnectionId from, const wire::AudioHeader& header,
+                     net::MessageBuffer message) {
+  asio::dispatch(loops_.room_io, [this, from, header, message = std::move(message)]() mutable {
+    room_.on_audio(from, header, std::move(message));
   });
 }
 

@@ -35,12 +35,13 @@ struct ShardLimits {
   SessionLimits session = {};
 };
 
-/// Bytes sent and sets dropped by one shard. The counters only grow.
+/// Bytes sent, sets and audio dropped by one shard. The counters only grow.
 struct ShardTraffic {
   struct Viewer {
     ConnectionId connection;
     std::uint64_t bytes = 0;
     std::uint64_t dropped_sets = 0;
+    std::uint64_t dropped_audio = 0;  // packets
   };
   struct Room {
     RoomId room;
@@ -70,6 +71,7 @@ class Shard final : public SessionEvents {
   void accept(ConnectionId connection, Role role, RoomId room);
   void send_control(std::vector<ConnectionId> to, net::FramedMessagePtr message);
   void send_set(RoomId room, FrameSetPtr set);
+  void send_audio(std::vector<ConnectionId> to, ViewerId speaker, net::FramedMessagePtr packet);
   void restart_sensor(RoomId room, SensorId sensor);
   void disconnect(ConnectionId connection, wire::pb::ErrorCode code, std::string sentence);
   /// The room has no clients any more.
@@ -81,6 +83,8 @@ class Shard final : public SessionEvents {
   void on_join(const ConnectionInfo& connection_info, const wire::pb::Join& join) override;
   void on_control(ConnectionId from, const wire::pb::Control& message) override;
   void on_frame(ConnectionId from, const wire::FrameHeader& header,
+                net::MessageBuffer message) override;
+  void on_audio(ConnectionId from, const wire::AudioHeader& header,
                 net::MessageBuffer message) override;
   void on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) override;
   void on_left(ConnectionId from, const net::CloseReason& reason) override;

@@ -20,6 +20,7 @@
 #include "roomcast/hub/runtime/control_message.h"
 #include "roomcast/hub/server/hub_server.h"
 #include "roomcast/net/websocket_client.h"
+#include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
 
@@ -35,6 +36,10 @@ class RawClient final : public net::ConnectionHandler {
   void on_message(net::MessageBuffer message) override {
     if (*wire::message_type(message.payload()) == wire::MessageType::kFrame) {
       frames.push_back(*wire::parse_frame(message.payload()));
+      return;
+    }
+    if (*wire::message_type(message.payload()) == wire::MessageType::kAudio) {
+      audio.push_back(*wire::parse_audio(message.payload()));
       return;
     }
     auto control = wire::decode_control(message.payload(), wire::Sender::kHub);
@@ -53,6 +58,7 @@ class RawClient final : public net::ConnectionHandler {
 
   std::vector<pb::Control> received;
   std::vector<wire::FrameHeader> frames;
+  std::vector<wire::AudioHeader> audio;
   std::optional<net::CloseReason> closed;
 
  private:

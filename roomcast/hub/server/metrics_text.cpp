@@ -128,6 +128,10 @@ void write_rooms(MetricsWriter& out) {
                [](const RoomStats& room) { return room.set_skew_s; });
   out.of_rooms("dropped_sets_total", "counter", "Sets dropped for slow viewers, over all viewers.",
                [](const RoomStats& room) { return room.dropped_sets; });
+  out.of_rooms("speakers", "gauge", "Viewers that are speaking.",
+               [](const RoomStats& room) { return room.speakers; });
+  out.of_rooms("audio_packets_total", "counter", "Audio packets received from viewers.",
+               [](const RoomStats& room) { return room.audio_packets; });
 }
 
 void write_sensors(MetricsWriter& out) {
@@ -157,6 +161,9 @@ void write_viewers(MetricsWriter& out) {
   out.of_viewers("viewer_dropped_sets_total", "counter",
                  "Sets dropped because the viewer reads slowly.",
                  [](const ViewerStats& v) { return v.dropped_sets; });
+  out.of_viewers("viewer_dropped_audio_packets_total", "counter",
+                 "Audio packets dropped because the viewer reads slowly.",
+                 [](const ViewerStats& v) { return v.dropped_audio; });
   out.of_viewers("viewer_shown_per_second", "gauge",
                  "Frame sets that the viewer reports to have shown per second.",
                  [](const ViewerStats& v) { return v.shown_fps; });

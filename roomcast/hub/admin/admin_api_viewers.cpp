@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// The AdminApi's calls about a room's viewers: the list, mute, end.
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "roomcast/hub/admin/admin_answer.h"
+#include "roomcast/hub/admin/admin_api.h"
+
+namespace roomcast::hub {
+
+namespace {
+
+/// {"muted": true}; nothing: the body is something else.
+std::optional<bool> muted_in(const std::string& body) {
+  const auto json = nlohmann::json::parse(body, nullptr, false);
+  if (!json.is_object() || json.size() != 1) return std::nullopt;
+  const auto muted = json.find("muted");
+  if (muted == json.end() || !muted->is_boolean()) return std::nullopt;
+  return muted->get<bool>();
+}
+
+}  // namespace
+
+void AdminApi::list_viewers(const Call& call) const {
+  nlohmann::json viewers = nlohmann::json::array();
+  const RoomStats stats = *registry_.stats(call.parameter(0));
+  for (const ViewerStats& viewer : stats.viewers) {
+    viewers.push_back(viewer_json(viewer, registry_.address_of(viewer.connection)));
+  }
+  call.respond(json_answer(200, {{"viewers", std::move(viewers)}}));
+}
+
+/// The viewer that the call names; nothing: the call has been answered.
+std::optional<ViewerStats> AdminApi::viewer_of(const Call& call) const {
+  std::uint32_t id = 0;
+  const std::string& text = call.parameter(1);
+  std::from_chars(text.data(), text.data() + text.size(), id);
+  const RoomStats stats = *registry_.stats(call.parameter(0));
+  const auto found = std::ranges::find(stats.viewers, ViewerId{id}, &ViewerStats::id);
+  if (found != stats.viewers.end()) return *found;
+  call.respond(error_answer(404, "not_found", "no such viewer is in this room"));
+  return std::nullopt;
+}
+
+void AdminApi::change_viewer(const Call& call) {
+  const auto muted = muted_in(call.body);
+  if (!muted) {
+    return call.respond(error_answer(400, "bad_request",
+                                     R"(the body must be {"muted": true} or {"muted": false})"));
+  }
+  const auto viewer = viewer_of(call);
+  if (!viewer) return;
+  registry_.mute(call.parameter(0), viewer->id, *muted);
+  if (const auto changed = viewer_of(call))
+    call.respond(
+        json_answer(200, viewer_json(*changed, registry_.address_of(changed->connection))));
+}
+
+void AdminApi::end_viewer(const Call& call) {
+  const auto viewer = viewer_of(call);
+  if (!viewer) return;
+  registry_.disconnect_client(viewer->connection, "the room's owner ended this connection");
+  call.respond(no_content());
+}
+
+}  // namespace roomcast::hub

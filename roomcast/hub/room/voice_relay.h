@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// VoiceRelay: who speaks in a room, whom an admin has muted, and which listeners get whose audio
+// packets: those of the nearest speakers. Pure. docs/spec/wire.md §6.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "roomcast/core/clock.h"
+#include "roomcast/core/ids.h"
+#include "roomcast/wire/control.pb.h"
+
+namespace roomcast::hub {
+
+class VoiceRelay {
+ public:
+  /// After this time without a packet a speaker has paused.
+  static constexpr std::chrono::milliseconds kSilentAfter{500};
+  /// The nearest speakers are chosen anew at this interval, and earlier if others speak.
+  static constexpr std::chrono::milliseconds kChoiceInterval{500};
+  static constexpr std::chrono::milliseconds kMinChoiceInterval{100};
+
+  /// The head of a viewer, world frame; null: it has no pose.
+  using HeadOf = std::function<const wire::pb::Pose*(ViewerId)>;
+
+  void add_listener(ViewerId viewer, ConnectionId connection);
+  /// The viewer has left.
+  void forget(ViewerId viewer);
+  /// The packets of a muted viewer go to nobody.
+  void set_muted(ViewerId viewer, bool muted);
+
+  /// A packet has come. Returns the connections that get it. `ends`: the speaker pauses after it.
+  [[nodiscard]] std::vector<ConnectionId> receivers(ViewerId speaker, bool ends, RoomTime now,
+                                                    const HeadOf& head_of);
+
+  [[nodiscard]] bool is_speaking(ViewerId viewer) const;
+  [[nodiscard]] bool is_muted(ViewerId viewer) const { return muted_.contains(viewer); }
+  [[nodiscard]] std::size_t speaker_count() const { return speakers_.size(); }
+
+  /// Who speaks and who is muted, for somebody who has joined.
+  [[nodiscard]] wire::pb::Control message() const;
+  /// The same, if it has changed and is due, for all listeners(). Speakers without packets for
+  /// kSilentAfter are removed.
+  [[nodiscard]] std::optional<wire::pb::Control> take(RoomTime now);
+  /// The time of the next take(); nothing: nobody speaks and nothing has changed.
+  [[nodiscard]] std::optional<RoomTime> next() const;
+  [[nodiscard]] std::vector<ConnectionId> listeners() const;
+
+ private:
+  struct Speaker {
+    ViewerId id;
+    RoomTime begun{};
+    RoomTime newest{};  // of its packets
+  };
+  struct Listener {
+    ViewerId id;
+    ConnectionId connection;
+    std::vector<ViewerId> heard = {};  // while more speak than one may hear
+  };
+
+  void choose(RoomTime now, const HeadOf& head_of);
+  [[nodiscard]] std::vector<ViewerId> nearest(ViewerId listener, const HeadOf& head_of) const;
+  void end(ViewerId speaker);
+
+  std::vector<Speaker> speakers_;
+  std::vector<Listener> listeners_;
+  std::set<ViewerId> muted_;
+  bool speakers_changed_ = false;  // since the last choice
+  RoomTime chosen_at_{};
+  bool has_changed_ = false;  // since the last message
+  RoomTime next_message_{};
+};
+
+}  // namespace roomcast::hub
