@@ -15,5 +15,6 @@ import './security.test.mjs';
 import './console.test.mjs';
 import './headset.test.mjs';
 import './trouble.test.mjs';
+import './voice.test.mjs';
 import './reverse_proxy.test.mjs';
 import './other_hub.test.mjs';

@@ -21,8 +21,8 @@ const args = [
   '--enable-unsafe-swiftshader',
 ];
 
-/** `ignoreHTTPSErrors`: accept certificates without a trusted issuer. `phone`: fingers instead of a mouse. */
-export async function startBrowser({ width = 640, height = 400, ignoreHTTPSErrors = false, phone = false } = {}) {
+/** `more` are arguments of the browser. `ignoreHTTPSErrors`: accept certificates without a trusted issuer. `phone`: fingers instead of a mouse. */
+export async function startBrowser({ width = 640, height = 400, ignoreHTTPSErrors = false, phone = false, more = [] } = {}) {
   const profile = mkdtempSync(join(tmpdir(), 'roomcast-e2e-'));
   const context = await chromium.launchPersistentContext(profile, {
     executablePath,
@@ -33,7 +33,7 @@ export async function startBrowser({ width = 640, height = 400, ignoreHTTPSError
     hasTouch: phone,
     isMobile: phone,
     timeout: patience_ms,
-    args,
+    args: [...args, ...more],
   });
   context.setDefaultTimeout(patience_ms);
   const end = async () => {

@@ -4,7 +4,7 @@ import './theme.css';
 import { accessTo, readAccess, rememberAccess, type Access } from './access';
 import type { Console } from './console/console';
 import { HubApi } from './console/hub_api';
-import type { Welcome } from './gen/control_pb';
+import type { Voices, Welcome } from './gen/control_pb';
 import { LazyConsole } from './lazy_console';
 import { Look } from './look';
 import { OwnPlaces } from './own_places';
@@ -21,7 +21,8 @@ import { RoomState } from './room_state';
 import { SensorNudges } from './sensor_nudges';
 import { Standpoint, startDistance_m } from './standpoint';
 import { keptIn } from './storage';
-import { pageTime_ms, type FromWorker, type ViewFrame } from './stream/protocol';
+import { pageTime_ms, type Body, type FromWorker, type ViewFrame } from './stream/protocol';
+import { Sound } from './sound';
 import { RoomLink } from './stream/room_link';
 import { TestApi } from './test_api';
 import { consoleTexts, problemTexts } from './texts';
@@ -32,8 +33,9 @@ import { darkBackground, lightBackground } from './view/room_scene';
 import { Stage } from './view/stage';
 import { keptFragment } from './view/view_address';
 import { viewFromBody } from './view/view_state';
+import { hearingObstacle, soundSupport } from './voice/obstacle';
 import { Headset } from './xr/headset';
-import { headsetOffer, type HeadsetMode } from './xr/offer';
+import { browsersXr, headsetOffer, type HeadsetMode } from './xr/offer';
 
 const panelInterval_ms = 250;
 const statsInterval_ms = 1000;
@@ -41,6 +43,7 @@ const roomForPanel_px = 560; // as in panel.css
 
 class Page {
   private readonly state = new RoomState();
+  private readonly sound: Sound;
   private readonly panel: Panel;
   private readonly progress: Progress;
   private readonly console: LazyConsole;
@@ -63,7 +66,8 @@ class Page {
     const url = socketUrl(location);
     const name = ownName(options.name, browserStorage.store);
     const hubAddress = url.replace(/\/ws$/, '');
-    this.panel = new Panel(document.getElementById('panel')!, this.state, hubAddress, name, {
+    this.sound = this.makeSound();
+    this.panel = new Panel(document.getElementById('panel')!, this.state, hubAddress, name, this.sound, {
       modeChosen: (mode) => this.setMode(mode),
       sensorSwitched: (sensor, visible) => this.stage.setVisible(sensor, visible),
       themeChosen: (theme) => this.look.choose(theme),
@@ -96,10 +100,23 @@ class Page {
       followChanged: () => this.panel.setFollowed(this.standpoint.follow.whom),
     });
     this.link = new RoomLink(
-      { socketUrl: url, room: options.room, name, record: options.record, access },
+      { socketUrl: url, room: options.room, name, record: options.record, access, hears: hearingObstacle(soundSupport()) === '' },
       (message) => this.receive(message),
     );
     this.begin();
+  }
+
+  private makeSound(): Sound {
+    const heads = { own: () => this.body.head, of: (viewer: number) => this.state.poses.get(viewer)?.head };
+    const connectHub = (port: MessagePort) => this.link.connectVoice(port);
+    return new Sound({ heads, store: browserStorage.store, connectHub }, { loaded: () => this.panel.showPeople() });
+  }
+
+  private hearVoices(voices: Voices): void {
+    this.state.setVoices(voices);
+    this.sound.voicesChanged(voices, this.state.welcome?.viewerId);
+    this.panel.showPeople();
+    if (this.stage.room.avatars.speak(this.state.speaking)) this.stage.touch();
   }
 
   private placeEvents(): PlaceEvents {
@@ -203,7 +220,7 @@ class Page {
   }
 
   private begin(): void {
-    const { stage, state, standpoint, headset } = this;
+    const { stage, state, standpoint, headset, sound } = this;
     if (this.options.best) stage.ladder.pinToBest();
     this.panel.setOpen(this.options.panelOpen ?? window.innerWidth >= roomForPanel_px);
     this.setMode(this.options.mode);
@@ -211,9 +228,9 @@ class Page {
     this.panel.setTheme(this.look.theme);
     setInterval(() => this.refreshWords(), panelInterval_ms);
     setInterval(() => this.reportStats(), statsInterval_ms);
-    void headsetOffer(window.isSecureContext, navigator_xr()).then((offer) => this.panel.headset.offer(offer));
+    void headsetOffer(window.isSecureContext, browsersXr()).then((offer) => this.panel.headset.offer(offer));
     const { navigation } = standpoint;
-    window.roomcast = new TestApi({ stage, state, navigation, headset, setMode: (mode) => this.setMode(mode) });
+    window.roomcast = new TestApi({ stage, state, navigation, headset, sound, setMode: (mode) => this.setMode(mode) });
   }
 
   private receive(message: FromWorker): void {
@@ -233,6 +250,10 @@ class Page {
         return;
       case 'frames':
         return this.take(message.setId, message.frames, message.decodedAt_ms);
+      case 'voices':
+        return this.hearVoices(message.voices);
+      case 'spoken':
+        return this.sound.spoken();
       case 'status':
         return this.state.setStatus(message.status);
       case 'broken':
@@ -243,6 +264,7 @@ class Page {
   private welcomed(welcome: Welcome): void {
     this.state.welcome = welcome;
     this.places.enter(welcome.room);
+    this.sound.welcomed(welcome.maySpeak);
     document.title = `${welcome.room || 'room'} · roomcast`;
     if (welcome.token) this.access.token = welcome.token;
     if (this.access.token) rememberAccess(this.access, tabStorage.store);
@@ -297,12 +319,17 @@ class Page {
     this.showRoster();
     if (roster.viewers.length > (before?.viewers.length ?? 0)) this.tellPosePublisher();
     this.standpoint.followRoster(roster, before);
+    this.sound.follow(roster.viewers);
     this.panel.rebuild();
     this.panel.showPlaces(this.places.list);
   }
 
+  private get body(): Body {
+    return this.state.body ?? this.standpoint.body;
+  }
+
   private tellPosePublisher(): void {
-    this.posePublisher.moved(this.state.body ?? this.standpoint.body);
+    this.posePublisher.moved(this.body);
   }
 
   private take(setId: bigint, frames: ViewFrame[], decodedAt_ms: number): void {
@@ -361,11 +388,6 @@ class Page {
     this.state.broken = sentence;
     this.refreshWords();
   }
-}
-
-/** Undefined where the browser has no WebXR, although the type declarations do not say so. */
-function navigator_xr(): XRSystem | undefined {
-  return (navigator as { xr?: XRSystem }).xr;
 }
 
 const tabStorage = keptIn(() => sessionStorage);

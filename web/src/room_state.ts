@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's state of the room, gathered from the worker's messages and from drawing. Times are page time
 // (stream/protocol.ts) in milliseconds unless they are marked as room time.
-import type { ViewerPose, Welcome } from './gen/control_pb';
+import type { ViewerPose, Voices, Welcome } from './gen/control_pb';
 import { RateMeter } from './rate_meter';
 import type { RoomRoster, RoomSensor } from './room_roster';
 import {
@@ -29,6 +29,8 @@ export class RoomState {
   status: Status | undefined;
   body: Body | undefined; // current pose of the headset's wearer
   readonly poses = new Map<number, ViewerPose>(); // of the other viewers, as received
+  speaking: ReadonlySet<number> = new Set(); // viewers
+  muted: ReadonlySet<number> = new Set(); // viewers, by an admin
   broken = ''; // reason why the page cannot continue
   consoleProblem = ''; // reason why the console is not there
   shownSets = 0;
@@ -84,6 +86,11 @@ export class RoomState {
     this.roster = roster;
     const present = new Set(roster.viewers.map(({ id }) => id));
     for (const id of this.poses.keys()) if (!present.has(id)) this.poses.delete(id);
+  }
+
+  setVoices({ speaking, muted }: Pick<Voices, 'speaking' | 'muted'>): void {
+    this.speaking = new Set(speaking);
+    this.muted = new Set(muted);
   }
 
   setConnection(state: ConnectionState): void {

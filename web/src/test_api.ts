@@ -4,6 +4,7 @@
 import { Vector3 } from 'three';
 import type { Pose } from './gen/control_pb';
 import type { RoomState } from './room_state';
+import type { Sound } from './sound';
 import { crc32 } from './stream/crc32';
 import { IdPass, nothing } from './view/id_pass';
 import type { Navigation } from './view/navigation';
@@ -19,6 +20,7 @@ export interface TestApiParts {
   navigation: Navigation;
   headset: Headset;
   setMode(mode: DrawMode): void;
+  sound: Sound;
 }
 
 type Triple = [number, number, number];
@@ -124,6 +126,11 @@ export class TestApi {
       hands: [plain(leftHand), plain(rightHand)],
       pointsAt: pointer?.to ? [pointer.to.x, pointer.to.y, pointer.to.z] : null,
     }));
+  }
+
+  /** Null before the voice module is loaded. */
+  voice() {
+    return this.parts.sound.figures;
   }
 
   setView(at: Triple, look: Triple): void {

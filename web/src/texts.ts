@@ -65,6 +65,7 @@ export const consoleTexts = {
     latency: 'Latency',
     dropped: 'Skipped',
     sendAway: 'Send away',
+    mute: 'Mute',
     you: ' (you)',
     nobody: 'No viewers are here.',
   },
@@ -114,6 +115,7 @@ export const consoleTexts = {
     send: 'Who may send',
     record: 'Who may record',
     export: 'Who may export',
+    speak: 'Who may speak',
     who: { anyone: 'anyone', token: 'clients with a token', admin: 'admins', nobody: 'nobody' },
     save: 'Save',
     saved: 'Saved. It applies to clients that join from now on.',
@@ -193,6 +195,7 @@ export const panelTexts = {
     ['G', 'go to what is ahead'],
     ['R', 'back to the start'],
     ['F', 'full screen'],
+    ['V', 'hold to speak, where you chose that'],
     ['1 finger', 'look around'],
     ['2 fingers', 'shift and zoom'],
     ['double tap', 'go there'],
@@ -200,6 +203,38 @@ export const panelTexts = {
     ['stick', 'walk'],
   ] as const,
   running: 'Running this room',
+};
+
+export const voiceTexts = {
+  title: 'Voice',
+  microphone: 'Microphone',
+  off: 'Your microphone is off.',
+  sending: 'The others hear you.',
+  waits: 'The others hear you when you speak.',
+  heldBack: 'The others hear you while you hold V or the button.',
+  awaitsGesture: 'Click anywhere or press a key to hear the others: browsers ask for that.',
+  insecure:
+    'Browsers permit voice only on pages loaded over HTTPS. Start the hub with --tls-self-signed and open its https:// ' +
+    'address; on the hub’s own computer http://localhost works, too.',
+  noDecoder: 'This browser cannot decode voice (WebCodecs), so you hear nobody. Use a recent Chrome, Edge or Firefox.',
+  noEncoder: 'This browser can play voices but not encode yours (WebCodecs). Use a recent Chrome, Edge or Firefox to speak.',
+  mayNotSpeak: 'The owner of this room lets you listen, not speak.',
+  muted: 'An admin has muted you: nobody hears you.',
+  denied: 'The browser does not let this page use the microphone. Permit it in the settings beside the address, and try again.',
+  noMicrophone: 'No microphone was found. Connect one, and try again.',
+  inUse: 'The microphone cannot be opened; another program may be using it.',
+  lost: 'The microphone is gone. Connect it, or choose another one, and turn it on again.',
+  failed: (reason: string) => `The microphone does not work: ${reason}`,
+  notLoaded: 'Voice could not be loaded. Press the button to try again, or load the page again.',
+  level: 'Loudness of your microphone',
+  talk: 'When you are heard',
+  modes: { voice: 'When I speak', push: 'While I hold V' },
+  hold: 'Hold to speak (V)',
+  device: 'Your microphone',
+  hear: 'Hear the others',
+  volumeOf: (name: string) => `Volume of ${name}`,
+  speaks: 'speaks',
+  isMuted: 'muted',
 };
 
 export const hintTexts = {

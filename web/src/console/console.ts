@@ -51,7 +51,10 @@ export class Console {
   ) {
     const room = () => this.state.welcome?.room ?? '';
     this.alignment = new AlignmentView(events.nudge);
-    this.people = new PeopleView((viewer) => void this.sendAway(viewer));
+    this.people = new PeopleView({
+      sendAway: (viewer) => void this.sendAway(viewer),
+      mute: (viewer, muted) => void this.mute(viewer, muted),
+    });
     this.access = new AccessView(api, room, hubAddress);
     this.recording = new RecordingView(api, room);
     this.settings = new RoomView(api, room);
@@ -153,6 +156,11 @@ export class Console {
 
   private async forget(sensor: string): Promise<void> {
     await this.api.forgetSensor(this.state.welcome?.room ?? '', sensor).catch(() => undefined);
+    await this.ask();
+  }
+
+  private async mute(viewer: number, muted: boolean): Promise<void> {
+    await this.api.mute(this.state.welcome?.room ?? '', viewer, muted).catch(() => undefined);
     await this.ask();
   }
 

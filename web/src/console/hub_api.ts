@@ -15,6 +15,7 @@ export interface RoomSettings {
   view?: Who;
   record?: Who;
   export?: Who;
+  speak?: Who;
 }
 
 export interface HubRoom extends RoomSettings {
@@ -54,6 +55,8 @@ export interface HubViewer {
   name: string;
   address?: string;
   records?: boolean;
+  may_speak?: boolean;
+  muted?: boolean;
   bytes_per_second: number;
   sets_dropped: number;
   shown_fps?: number;
@@ -163,6 +166,11 @@ export class HubApi {
 
   sendAway(room: string, viewer: number): Promise<void> {
     return this.ask('DELETE', inRoom(room, `/viewers/${viewer}`));
+  }
+
+  /** For all, also when the viewer joins again with the same token. */
+  mute(room: string, viewer: number, muted: boolean): Promise<HubViewer> {
+    return this.ask('PATCH', inRoom(room, `/viewers/${viewer}`), { muted });
   }
 
   recording(room: string): Promise<HubRecording> {

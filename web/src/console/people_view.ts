@@ -18,12 +18,17 @@ interface Person {
   facts: KnownViewer | undefined;
 }
 
+export interface PeopleEvents {
+  sendAway(viewer: number): void;
+  mute(viewer: number, muted: boolean): void;
+}
+
 export class PeopleView {
   readonly root = element('div', { class: 'people-table' });
   private readonly rows = element('tbody');
   private readonly list: KeyedList<Person>;
 
-  constructor(private readonly sendAway: (viewer: number) => void) {
+  constructor(private readonly events: PeopleEvents) {
     const heads = [texts.name, texts.fps, texts.latency, texts.dropped].map((text) =>
       element('th', { scope: 'col' }, text),
     );
@@ -46,7 +51,8 @@ export class PeopleView {
     const name = element('th', { scope: 'row' });
     const [fps, latency, dropped] = [element('td'), element('td'), element('td')];
     const wayOut = this.wayOut(id, first);
-    const root = element('tr', {}, name, fps, latency, dropped, element('td', {}, wayOut));
+    const mute = this.mute(id, first);
+    const root = element('tr', {}, name, fps, latency, dropped, element('td', {}, mute, wayOut));
     const update = (person: Person) => {
       const { shown_fps, latency_ms, sets_dropped } = person.facts ?? {};
       setText(name, person.name);
@@ -54,6 +60,8 @@ export class PeopleView {
       setText(latency, milliseconds(latency_ms));
       setText(dropped, sets_dropped === undefined ? '–' : String(sets_dropped));
       wayOut.hidden = sets_dropped === undefined || person.isSelf;
+      mute.hidden = wayOut.hidden || !person.facts?.may_speak;
+      mute.setAttribute('aria-pressed', String(person.facts?.muted ?? false));
     };
     return { root, update };
   }
@@ -64,7 +72,18 @@ export class PeopleView {
       { type: 'button', class: 'plain', 'aria-label': `${texts.sendAway}: ${name}` },
       texts.sendAway,
     );
-    button.addEventListener('click', () => this.sendAway(viewer));
+    button.addEventListener('click', () => this.events.sendAway(viewer));
+    return button;
+  }
+
+  /** A switch: pressed while the person is muted. */
+  private mute(viewer: number, name: string): HTMLElement {
+    const button = element(
+      'button',
+      { type: 'button', class: 'plain mute', 'aria-label': `${texts.mute}: ${name}`, 'aria-pressed': 'false' },
+      texts.mute,
+    );
+    button.addEventListener('click', () => this.events.mute(viewer, button.getAttribute('aria-pressed') !== 'true'));
     return button;
   }
 }

@@ -5,7 +5,8 @@ import type { HubRoom } from '../console/hub_api';
 import { themes, type Theme } from '../look';
 import type { RoomState } from '../room_state';
 import type { Place } from '../own_places';
-import { consoleTexts, headsetTexts, mapTexts, panelTexts as texts, viewTexts } from '../texts';
+import type { Sound } from '../sound';
+import { consoleTexts, headsetTexts, mapTexts, panelTexts as texts, viewTexts, voiceTexts } from '../texts';
 import { drawModes, type DrawMode } from '../view/draw_mode';
 import type { ViewState } from '../view/view_state';
 import { drawingNote, type Drawing } from './drawing_note';
@@ -95,10 +96,14 @@ export class Panel {
     private readonly state: RoomState,
     private readonly hubAddress: string,
     ownName: string,
+    private readonly sound: Sound,
     private readonly events: PanelEvents,
   ) {
     this.sensors = new SensorList(state, (sensor, visible) => events.sensorSwitched(sensor, visible));
-    this.people = new PeopleList((viewer) => events.follow(viewer));
+    this.people = new PeopleList(
+      (viewer) => events.follow(viewer),
+      (viewer, name) => sound.volumeSlider(viewer, name),
+    );
     this.name = new NameForm(ownName, (name) => events.named(name));
     this.placeList = new PlaceList(events.places);
     this.map = new MiniMap(state, (x, z) => events.goTo(x, z));
@@ -166,8 +171,10 @@ export class Panel {
     this.showPeople();
   }
 
-  private showPeople(): void {
-    this.people.show(this.state.roster?.viewers ?? [], this.state.welcome?.viewerId, this.followed);
+  /** The people themselves, or who of them speaks, has changed. */
+  showPeople(): void {
+    const { state, followed } = this;
+    this.people.show(state.roster?.viewers ?? [], state.welcome?.viewerId, followed, state);
     this.name.setHere(this.state.welcome !== undefined);
   }
 
@@ -222,6 +229,7 @@ export class Panel {
       figures,
       section(texts.sensors, this.sensors.root),
       section(texts.people, this.people.root, this.name.root),
+      section(voiceTexts.title, this.sound.root),
       this.mapSection,
       this.roomChoice,
       section(texts.drawnAs, this.modes.root, this.drawing),

@@ -2,6 +2,7 @@
 import { create, toBinary } from '@bufbuild/protobuf';
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { ControlSchema, ErrorCode, type Control } from '../gen/control_pb';
+import { audioPayload, encodeAudio, parseAudioHeader } from '../wire/audio_header';
 import { decodeControl, type ControlMessage } from '../wire/control';
 import { HubConnection } from './hub_connection';
 import type { ConnectionState } from './protocol';
@@ -12,6 +13,7 @@ class FakeSocket {
   static all: FakeSocket[] = [];
   readyState = 0;
   sent: Control[] = [];
+  audio: Uint8Array[] = [];
   onopen: (() => void) | null = null;
   onmessage: ((event: { data: unknown }) => void) | null = null;
   onclose: ((event: { code: number; reason: string }) => void) | null = null;
@@ -24,7 +26,8 @@ class FakeSocket {
     FakeSocket.all.push(this);
   }
   send(bytes: Uint8Array): void {
-    this.sent.push(decodeControl(bytes));
+    if (bytes[3] === 3) this.audio.push(bytes);
+    else this.sent.push(decodeControl(bytes));
   }
   close(code?: number): void {
     this.closedWith = code;
@@ -52,13 +55,15 @@ let seen: string[];
 
 function start(): HubConnection {
   const connection = new HubConnection(
-    { socketUrl: 'ws://hub:7600/ws', room: 'lab', name: 'Ada', access },
+    { socketUrl: 'ws://hub:7600/ws', room: 'lab', name: 'Ada', access, hears: true },
     {
       connection: (state) => states.push(state),
       welcome: (welcome) => seen.push(`welcome ${welcome.viewerId}`),
       roster: () => seen.push('roster'),
       poses: () => seen.push('poses'),
       frame: (header) => seen.push(`frame ${header.seq}`),
+      voices: ({ speaking }) => seen.push(`voices ${speaking.join()}`),
+      audio: ({ speaker }, payload) => seen.push(`audio ${speaker}: ${payload.join()}`),
       disconnected: () => seen.push('disconnected'),
     },
   );
@@ -106,6 +111,44 @@ describe('a hub connection', () => {
     socket().say({ case: 'welcome', value: { viewerId: 9 } });
     expect(seen).toEqual(['welcome 9']);
     expect(states.map((state) => state.phase)).toEqual(['connecting', 'joined']);
+  });
+
+  test('asks for audio, and passes it and who speaks on', () => {
+    start();
+    socket().open();
+    expect(socket().sent[0]!.message.value).toMatchObject({ role: { value: { hears: true } } });
+    socket().say({ case: 'voices', value: { speaking: [7] } });
+    const packet = encodeAudio({ ends: false, seq: 1, capture_ns: 5n }, Uint8Array.of(8, 9));
+    packet[8] = 7; // as the hub does
+    socket().sayBytes(packet);
+    expect(seen).toEqual(['voices 7', 'audio 7: 8,9']);
+  });
+
+  test('sends audio in room time, numbered from 0, where the room lets it speak', () => {
+    const connection = start();
+    socket().open();
+    const say = (page_ms: number) => connection.sendAudio(page_ms, false, Uint8Array.of(1));
+    say(0);
+    socket().say({ case: 'welcome', value: { maySpeak: true } });
+    say(0);
+    expect(socket().audio).toEqual([]); // room time is not known yet
+    const now_ns = BigInt(Math.round(performance.now() * 1e6));
+    socket().say({ case: 'clockPong', value: { clientNs: now_ns, hubNs: now_ns + 5_000_000_000n } });
+    const page_ms = performance.timeOrigin + performance.now();
+    say(page_ms);
+    say(page_ms + 20);
+    const headers = socket().audio.map((bytes) => parseAudioHeader(new DataView(bytes.buffer)));
+    expect(headers.map(({ seq, speaker }) => [seq, speaker])).toEqual([
+      [0, 0],
+      [1, 0],
+    ]);
+    expect(headers[1]!.capture_ns - headers[0]!.capture_ns).toBe(20_000_000n);
+    expect(Math.abs(Number(headers[0]!.capture_ns - now_ns) / 1e6 - 5000)).toBeLessThan(1);
+    expect(audioPayload(socket().audio[0]!, headers[0]!)).toEqual(Uint8Array.of(1));
+    connection.rename('Bob');
+    socket().open();
+    say(page_ms + 40);
+    expect(socket().audio).toEqual([]); // until it is welcome again
   });
 
   test('stops where the hub refuses it for good, and says so', () => {

@@ -3,8 +3,9 @@
 // connects to another hub with this room. docs/spec/wire.md §1, §3 and §5. Local time is this program's
 // performance.now, in milliseconds.
 import { pingDelay_ms, RoomClock } from '../clock/room_clock';
-import { ErrorCode, type Control, type Roster, type ViewerPose, type Welcome } from '../gen/control_pb';
+import { ErrorCode, type Control, type Roster, type ViewerPose, type Voices, type Welcome } from '../gen/control_pb';
 import { connectionTexts } from '../texts';
+import { audioPayload, encodeAudio, parseAudioHeader, type AudioHeader } from '../wire/audio_header';
 import { decodeControl, encodeControl, type ControlMessage } from '../wire/control';
 import { framePayload, MessageType, messageType, parseFrameHeader, type FrameHeader } from '../wire/frame_header';
 import { asName } from '../wire/name_check';
@@ -30,6 +31,8 @@ export interface HubEvents {
   roster(roster: Roster): void;
   poses(poses: ViewerPose[]): void;
   frame(header: FrameHeader, payload: Uint8Array): void;
+  voices(voices: Voices): void;
+  audio(header: AudioHeader, payload: Uint8Array): void;
   /** The connection ended; a new one follows. */
   disconnected(): void;
 }
@@ -49,10 +52,12 @@ export class HubConnection {
   private token: string;
   private name: string;
   private redirected = false; // by a busy hub
+  private maySpeak = false;
+  private audioSeq = 0;
   private readonly hubs: HubChoice;
 
   constructor(
-    private readonly options: Pick<StartOptions, 'socketUrl' | 'room' | 'name' | 'access'>,
+    private readonly options: Pick<StartOptions, 'socketUrl' | 'room' | 'name' | 'access' | 'hears'>,
     private readonly events: HubEvents,
   ) {
     this.token = options.access.token;
@@ -76,6 +81,15 @@ export class HubConnection {
     if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(encodeControl(message));
   }
 
+  /** Audio of this viewer; left out where the room does not let it speak, and before room time is known. */
+  sendAudio(page_ms: number, ends: boolean, payload: Uint8Array): void {
+    const clock = this.clock.estimate();
+    if (!this.maySpeak || !clock || this.socket?.readyState !== WebSocket.OPEN) return;
+    const room_ms = page_ms - performance.timeOrigin + clock.offset_ms;
+    const capture_ns = BigInt(Math.round(room_ms * 1e6));
+    this.socket.send(encodeAudio({ ends, seq: this.audioSeq++ >>> 0, capture_ns }, payload));
+  }
+
   /** Joins again under another name: a viewer's name is part of its request to join. */
   rename(name: string): void {
     this.name = asName(name);
@@ -96,7 +110,7 @@ export class HubConnection {
     this.socket = socket;
     this.ending.opened = true;
     this.silent_ms = 0;
-    const role = { case: 'viewer', value: {} } as const;
+    const role = { case: 'viewer', value: { hears: this.options.hears } } as const;
     // A code is valid once: after it was exchanged for a token, that token is presented.
     const right = this.token ? { token: this.token } : { code: this.options.access.code };
     this.send({ case: 'join', value: { room: this.room, name: this.name, role, ...right, redirected: this.redirected } });
@@ -118,8 +132,14 @@ export class HubConnection {
   private read(message: ArrayBuffer): void {
     const view = new DataView(message);
     if (messageType(view) === MessageType.Control) return this.readControl(decodeControl(new Uint8Array(message)));
+    if (messageType(view) === MessageType.Audio) return this.readAudio(view);
     const header = parseFrameHeader(view);
     this.events.frame(header, framePayload(new Uint8Array(message), header));
+  }
+
+  private readAudio(message: DataView): void {
+    const header = parseAudioHeader(message);
+    this.events.audio(header, audioPayload(new Uint8Array(message.buffer), header));
   }
 
   private readControl({ message }: Control): void {
@@ -130,6 +150,8 @@ export class HubConnection {
         return this.events.roster(message.value);
       case 'viewerPoses':
         return this.events.poses(message.value.poses);
+      case 'voices':
+        return this.events.voices(message.value);
       case 'clockPong':
         return this.clock.addExchange(
           Number(message.value.clientNs) / 1e6,
@@ -149,6 +171,8 @@ export class HubConnection {
     this.redirected = false;
     this.hubs.welcomed();
     if (welcome.token) this.token = welcome.token;
+    this.maySpeak = welcome.maySpeak;
+    this.audioSeq = 0;
     this.events.welcome(welcome);
     this.report('joined');
     this.schedulePing();
@@ -193,6 +217,7 @@ export class HubConnection {
   private forget(): void {
     clearTimeout(this.pingTimer);
     clearInterval(this.silenceTimer);
+    this.maySpeak = false;
     this.socket = undefined;
     this.events.disconnected();
   }

@@ -2,7 +2,7 @@
 // Messages between the page and its worker. The worker owns socket, clock and decoders; the page draws. Pixel arrays
 // are transferred, not copied, and return to the worker after drawing.
 import type { Access } from '../access';
-import type { Pose, ViewerPose, Welcome } from '../gen/control_pb';
+import type { Pose, ViewerPose, Voices, Welcome } from '../gen/control_pb';
 import type { RoomRoster } from '../room_roster';
 
 export interface ViewFrame {
@@ -74,6 +74,8 @@ export type FromWorker =
   | { kind: 'welcome'; welcome: Welcome }
   | { kind: 'roster'; roster: RoomRoster }
   | { kind: 'poses'; poses: ViewerPose[] }
+  | { kind: 'voices'; voices: Voices }
+  | { kind: 'spoken' } // audio has come, and there is no voice worker yet
   | { kind: 'frames'; setId: bigint; frames: ViewFrame[]; decodedAt_ms: number }
   | { kind: 'status'; status: Status }
   | { kind: 'broken'; sentence: string }; // the worker cannot continue
@@ -83,6 +85,7 @@ export interface StartOptions {
   room: string;
   name: string;
   record: boolean; // fill Status.decoded
+  hears: boolean; // ask the hub for audio
   access: Access;
 }
 
@@ -91,6 +94,7 @@ export type ToWorker =
   | { kind: 'shown'; buffers: ArrayBuffer[] } // the frames of the last `frames` message have been drawn
   | { kind: 'pose'; body: Body }
   | { kind: 'nudge'; sensor: number; worldFromDepth: number[] }
+  | { kind: 'voice'; port: MessagePort } // to the voice worker
   | { kind: 'rename'; name: string } // joins again
   | { kind: 'stats'; lastSetId: bigint; shownFps: number; latency_ms: number };
 

@@ -30,6 +30,11 @@ export class RoomLink {
     this.tell({ kind: 'nudge', sensor, worldFromDepth });
   }
 
+  /** Connects the voice worker with the hub. */
+  connectVoice(port: MessagePort): void {
+    this.worker.postMessage({ kind: 'voice', port } satisfies ToWorker, [port]);
+  }
+
   /** Joins the room again under another name. */
   rename(name: string): void {
     this.tell({ kind: 'rename', name });

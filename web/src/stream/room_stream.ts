@@ -3,6 +3,8 @@
 // page.
 import type { CodecModule } from '../codec/codec_module';
 import type { Roster } from '../gen/control_pb';
+import type { HeardPacket, SpokenPacket } from '../voice/voice_packet';
+import type { AudioHeader } from '../wire/audio_header';
 import { roomRoster } from '../room_roster';
 import type { FrameHeader } from '../wire/frame_header';
 import { problemTexts } from '../texts';
@@ -44,6 +46,8 @@ export class RoomStream {
   private options: StartOptions | undefined;
   private hub: HubConnection | undefined;
   private decoded: DecodedRecord[] = [];
+  private voice: MessagePort | undefined;
+  private hasSpoken = false; // the page knows that audio comes
 
   constructor(private readonly post: Post) {}
 
@@ -67,6 +71,8 @@ export class RoomStream {
         const { sensor, worldFromDepth } = message;
         return this.hub?.send({ case: 'nudge', value: { sensorId: sensor, worldFromDepth } });
       }
+      case 'voice':
+        return this.connectVoice(message.port);
       case 'rename':
         return this.hub?.rename(message.name);
       case 'stats': {
@@ -84,10 +90,29 @@ export class RoomStream {
       roster: (roster) => this.follow(roster),
       poses: (poses) => this.post({ kind: 'poses', poses }),
       frame: (header, payload) => this.push(header, payload),
+      voices: (voices) => this.post({ kind: 'voices', voices }),
+      audio: (header, payload) => this.hear(header, payload),
       disconnected: () => this.restartSensors(),
     });
     this.hub.connect();
     setInterval(() => this.reportStatus(), statusInterval_ms);
+  }
+
+  private connectVoice(port: MessagePort): void {
+    this.voice = port;
+    port.onmessage = ({ data }: MessageEvent<SpokenPacket>) => {
+      this.hub?.sendAudio(data.capture_ms, data.ends, data.payload);
+    };
+  }
+
+  private hear({ speaker, seq, capture_ns, ends }: AudioHeader, payload: Uint8Array): void {
+    if (this.voice) {
+      const packet: HeardPacket = { speaker, seq, capture_ms: Number(capture_ns) / 1e6, ends, payload };
+      this.voice.postMessage(packet);
+    } else if (!this.hasSpoken) {
+      this.hasSpoken = true;
+      this.post({ kind: 'spoken' });
+    }
   }
 
   private follow(roster: Roster): void {

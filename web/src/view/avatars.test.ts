@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { create } from '@bufbuild/protobuf';
-import { Vector3 } from 'three';
+import { Sprite, Vector3 } from 'three';
 import { afterEach, expect, test, vi } from 'vitest';
 import { ViewerEntrySchema, ViewerPoseSchema } from '../gen/control_pb';
 import { Avatars } from './avatars';
@@ -44,4 +44,20 @@ test('somebody who points has a beam with a spot and the name there, also where 
   expect(label.getWorldPosition(new Vector3()).distanceTo(spot)).toBeCloseTo(0.09);
   avatars.move([create(ViewerPoseSchema, pose)]);
   expect(beam.visible).toBe(false);
+});
+
+test('the name of somebody who speaks is larger and of another colour until they pause', () => {
+  stubCanvas();
+  const avatars = new Avatars();
+  avatars.follow([create(ViewerEntrySchema, { id: 2 }), create(ViewerEntrySchema, { id: 3 })]);
+  const labels: Sprite[] = [];
+  avatars.root.traverse((object) => object instanceof Sprite && labels.push(object));
+  const usual = labels[0]!.scale.x;
+  expect(avatars.speak(new Set([2]))).toBe(true);
+  expect(avatars.speak(new Set([2]))).toBe(false);
+  const louder = labels.filter(({ scale }) => scale.x > usual);
+  expect(louder.length).toBe(1);
+  expect(louder[0]!.material.color.getHex()).not.toBe(0xffffff);
+  expect(avatars.speak(new Set())).toBe(true);
+  expect(labels.every(({ scale, material }) => scale.x === usual && material.color.getHex() === 0xffffff)).toBe(true);
 });

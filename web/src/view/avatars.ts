@@ -11,6 +11,11 @@ const arrived_m = 1e-4;
 const arrived_rad = 1e-3;
 const pointer_m = 1.5;
 const inTheEye_m = 0.25;
+const labelWidth_m = 0.64;
+const labelHeight_m = 0.12;
+const quietLabel = 0xffffff;
+const speakingLabel = 0x7dff9b;
+const speakingScale = 1.25; // not by colour alone
 
 interface Part {
   object: THREE.Object3D;
@@ -24,6 +29,8 @@ interface Avatar {
   body: THREE.Group; // head and hands
   name: string;
   color: number;
+  label: THREE.Sprite;
+  speaks: boolean;
   head: Part;
   hands: [Part, Part];
   beam: THREE.Group;
@@ -76,7 +83,7 @@ function labelOf(name: string): THREE.Sprite {
   const texture = new THREE.CanvasTexture(canvas);
   texture.colorSpace = THREE.SRGBColorSpace;
   const sprite = new THREE.Sprite(new THREE.SpriteMaterial({ map: texture, transparent: true, depthWrite: false }));
-  sprite.scale.set(0.64, 0.12, 1);
+  sprite.scale.set(labelWidth_m, labelHeight_m, 1);
   sprite.position.y = 0.27;
   return sprite;
 }
@@ -153,6 +160,21 @@ export class Avatars {
     return moved;
   }
 
+  /** Marks the names of those who speak. False: nothing has changed. */
+  speak(speaking: ReadonlySet<number>): boolean {
+    let changed = false;
+    for (const [id, avatar] of this.byViewer) {
+      const speaks = speaking.has(id);
+      if (speaks === avatar.speaks) continue;
+      changed = true;
+      avatar.speaks = speaks;
+      const scale = speaks ? speakingScale : 1;
+      avatar.label.scale.set(scale * labelWidth_m, scale * labelHeight_m, 1);
+      avatar.label.material.color.set(speaks ? speakingLabel : quietLabel);
+    }
+    return changed;
+  }
+
   /** Returns true while a viewer is still moving, so that the page must draw again. */
   animate(seconds: number): boolean {
     const share = 1 - Math.exp(-easing_perS * seconds);
@@ -177,10 +199,12 @@ export class Avatars {
   private add({ id, name, colorRgb: color }: ViewerEntry): void {
     const head = headOf(color);
     const label = () => labelOf(name || `viewer ${id}`);
-    head.add(label());
+    const ownLabel = label();
+    head.add(ownLabel);
     const hands: [Part, Part] = [partOf(handOf(color)), partOf(handOf(color))];
     const beam = beamOf(color, label());
-    const avatar = { root: new THREE.Group(), body: new THREE.Group(), name, color, head: partOf(head), hands, beam };
+    const groups = { root: new THREE.Group(), body: new THREE.Group() };
+    const avatar = { ...groups, name, color, label: ownLabel, speaks: false, head: partOf(head), hands, beam };
     avatar.body.add(head, hands[0].object, hands[1].object);
     avatar.root.add(avatar.body, beam);
     this.byViewer.set(id, avatar);

@@ -19,3 +19,8 @@ export async function headsetOffer(secure: boolean, xr: Asked | undefined): Prom
   const modes = asked.filter((_, i) => answers[i]);
   return { modes, obstacle: modes.length > 0 ? 'none' : 'no-headset' };
 }
+
+/** Undefined where the browser has no WebXR, although the type declarations do not say so. */
+export function browsersXr(): XRSystem | undefined {
+  return (navigator as { xr?: XRSystem }).xr;
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panel's part for voice: the microphone's button and what is in the way. The voice module with everything else is
+// loaded when somebody speaks or wants to speak; nobody else waits for it.
+import type { Voices } from './gen/control_pb';
+import { element, setText } from './panel/element';
+import { voiceTexts as texts } from './texts';
+import { hearingObstacle, soundSupport, speakingObstacle, type Rights } from './voice/obstacle';
+import type { Voice, VoiceParts } from './voice/voice';
+import type { VoiceControls } from './voice/voice_controls';
+
+type VoiceModule = typeof import('./voice/voice_module');
+
+export interface SoundEvents {
+  /** The volume of people can be set from now on. */
+  loaded(): void;
+}
+
+export class Sound {
+  readonly root = element('div', { class: 'sound' });
+  private readonly button = element('button', { type: 'button', class: 'plain microphone' }, texts.microphone);
+  private readonly note = element('p', { role: 'status' });
+  private readonly support = soundSupport();
+  private rights: Rights = { maySpeak: false, isMuted: false };
+  private isHere = false;
+  private loading: Promise<Voice | undefined> | undefined;
+  private module: VoiceModule | undefined;
+  private voice: Voice | undefined;
+  private controls: VoiceControls | undefined;
+  private hasFailed = false;
+
+  constructor(
+    private readonly parts: VoiceParts,
+    private readonly events: SoundEvents,
+  ) {
+    this.button.addEventListener('click', () => void this.pressed());
+    this.root.append(this.button, this.note);
+    this.refresh();
+  }
+
+  /** For tests. */
+  get figures() {
+    const { voice } = this;
+    if (!voice) return null;
+    const { speakers, context, isOn, isSending } = voice;
+    const heard = speakers.ids.map((id) => ({ id, volume: speakers.volumeOf(id), ...speakers.figuresOf(id) }));
+    return { context: context.state, isOn, isSending, speakers: heard };
+  }
+
+  welcomed(maySpeak: boolean): void {
+    this.isHere = true;
+    this.rights = { maySpeak, isMuted: false };
+    this.tellRights();
+  }
+
+  /** Who speaks and who is muted has changed. */
+  voicesChanged({ muted }: Pick<Voices, 'muted'>, self: number | undefined): void {
+    const isMuted = self !== undefined && muted.includes(self);
+    if (isMuted === this.rights.isMuted) return;
+    this.rights = { ...this.rights, isMuted };
+    this.tellRights();
+  }
+
+  /** The hub has forwarded audio for which nobody listens yet. */
+  spoken(): void {
+    if (!this.loading) void this.ready();
+  }
+
+  follow(viewers: readonly { id: number }[]): void {
+    this.voice?.follow(viewers);
+  }
+
+  /** Undefined before the voice module is there. */
+  volumeSlider(viewer: number, name: string): HTMLElement | undefined {
+    return this.voice && this.module?.volumeSlider(this.voice, viewer, name);
+  }
+
+  private async pressed(): Promise<void> {
+    await (await this.ready())?.toggleMicrophone();
+  }
+
+  private ready(): Promise<Voice | undefined> {
+    this.loading ??= this.load().catch(() => {
+      this.hasFailed = true;
+      this.loading = undefined; // the next press tries again
+      this.refresh();
+      return undefined;
+    });
+    return this.loading;
+  }
+
+  private async load(): Promise<Voice> {
+    this.module = await import('./voice/voice_module');
+    const voice = await this.module.openVoice(this.parts, {
+      changed: () => this.refresh(),
+      level: (loudness) => this.controls?.showLevel(loudness),
+    });
+    this.hasFailed = false;
+    this.voice = voice;
+    this.controls = this.module.voiceControls(voice);
+    this.root.append(this.controls.root);
+    voice.setRights(this.rights);
+    this.events.loaded();
+    return voice;
+  }
+
+  private tellRights(): void {
+    this.voice?.setRights(this.rights);
+    this.refresh();
+  }
+
+  private refresh(): void {
+    const obstacle = speakingObstacle(this.support, this.rights);
+    this.button.disabled = this.isHere && obstacle !== '';
+    this.button.setAttribute('aria-pressed', String(this.voice?.isOn ?? false));
+    this.controls?.refresh();
+    setText(this.note, this.sentence(obstacle));
+  }
+
+  private sentence(obstacle: string): string {
+    const { voice } = this;
+    if (this.hasFailed) return texts.notLoaded;
+    if (hearingObstacle(this.support)) return obstacle;
+    if (!this.isHere) return '';
+    if (voice?.problem) return voice.problem;
+    if (obstacle) return obstacle;
+    if (voice?.awaitsGesture) return texts.awaitsGesture;
+    if (!voice?.isOn) return texts.off;
+    if (voice.isSending) return texts.sending;
+    return voice.mode === 'push' ? texts.heldBack : texts.waits;
+  }
+}
