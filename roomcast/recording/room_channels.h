@@ -15,6 +15,7 @@ inline constexpr std::string_view kForbidden = "no";
 
 inline constexpr std::string_view kRosterTopic = "/room/roster";
 inline constexpr std::string_view kPosesTopic = "/room/viewer_poses";
+inline constexpr std::string_view kMarksTopic = "/room/marks";
 inline constexpr std::string_view kClockTopic = "/room/clock";
 inline constexpr std::string_view kSensorPrefix = "/sensor/";
 inline constexpr std::string_view kFrameSuffix = "/frame";

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "roomcast/wire/limits.h"
+#include "roomcast/wire/mark_check.h"
 #include "roomcast/wire/name_check.h"
 
 namespace roomcast::wire {
@@ -95,6 +96,8 @@ Status check_join(const pb::Join& join) {
     return Error{ErrorCode::kTooLarge,
                  "a token must have at most " + std::to_string(kMaxTokenBytes) + " bytes"};
   }
+  if (join.viewer().author_key().size() > kMaxAuthorKeyBytes)
+    return malformed("an author's key must have at most 64 bytes");
   switch (join.role_case()) {
     case pb::Join::kSensor:
       if (join.name().empty()) return malformed("a sensor needs a name");
@@ -335,6 +338,12 @@ Status check_control(const pb::Control& control) {
       return check_revoked_tokens(control.revoked_tokens());
     case pb::Control::kVoices:
       return check_voices(control.voices());
+    case pb::Control::kMarks:
+      return check_marks(control.marks());
+    case pb::Control::kRemoveMarks:
+      return check_remove_marks(control.remove_marks());
+    case pb::Control::kMark:  // the room refuses wrong ones with a sentence, and keeps the viewer
+    case pb::Control::kGuide:
     case pb::Control::kSightingRequest:
     case pb::Control::kFrameDemand:
     case pb::Control::kSensorMoved:

@@ -151,6 +151,15 @@ std::vector<GoldenMessage> golden_messages() {
           R"({"viewerPoses":{"poses":[{"viewerId":9,"head":{"x":1.5,"y":1.75,"z":-2,"qw":1}}]}})"),
       golden_control("control_error",
                      R"({"error":{"code":"ERROR_REPLACED","sentence":"replaced"}})"),
+      golden_control("control_join_author",
+                     R"({"join":{"room":"lab","viewer":{"authorKey":"c2VjcmV0"}}})"),
+      golden_control("control_welcome_author",
+                     R"({"welcome":{"room":"lab","viewerId":9,"startPose":)" + identity +
+                         R"(,"mayMark":true,"authorTag":"18446744073709551615"}})"),
+      golden_control(
+          "control_marks",
+          R"({"marks":{"all":true,"marks":[{"id":7,"kind":"MARK_KIND_NOTE","points":[1.5,0.75,-2],"text":"mind the step","author":"Émilie","colorRgb":16744448,"authorTag":"5"},{"id":8,"kind":"MARK_KIND_SKETCH","points":[0,0,0,0.5,0,0]}],"removed":[3],"refusal":"no"}})"),
+      golden_control("control_guide", R"({"guide":{"on":true,"viewerId":9}})"),
   };
   Bytes bad = messages[0].bytes;
   bad[0] = 'X';

@@ -56,6 +56,16 @@ inline constexpr int kMaxPosesPerMessage = 512;
 inline constexpr double kMaxPosition_m = 10'000;
 inline constexpr unsigned kMaxLayer = 7;
 
+// Marks.
+inline constexpr int kMaxMarkPoints = 512;  // of one sketch
+inline constexpr std::size_t kMaxMarkTextBytes = 280;
+inline constexpr int kMaxMarks = 500;             // in a room
+inline constexpr int kMaxMarksOfAuthor = 100;     // of these
+inline constexpr int kMaxPointsOfMarks = 50'000;  // in a room
+inline constexpr double kMaxMarksPerSecond = 5;   // from one viewer, sustained; removals count, too
+inline constexpr double kMaxMarksAtOnce = 25;     // and these at once
+inline constexpr std::size_t kMaxAuthorKeyBytes = 64;
+
 // Frame sets.
 inline constexpr std::size_t kMaxQueuedSets = 2;  // per viewer, no byte of them written yet
 inline constexpr std::chrono::milliseconds kSetDeadline{50};

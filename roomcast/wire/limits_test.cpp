@@ -39,6 +39,14 @@ TEST(Limits, are_those_of_the_spec) {
   EXPECT_EQ(kMaxDepthSide, 4096u);
   EXPECT_EQ(kMaxFps, 240);
   EXPECT_EQ(kMaxPosesPerSecond, 60);
+  EXPECT_EQ(kMaxMarkPoints, 512);
+  EXPECT_EQ(kMaxMarkTextBytes, 280u);
+  EXPECT_EQ(kMaxMarks, 500);
+  EXPECT_EQ(kMaxMarksOfAuthor, 100);
+  EXPECT_EQ(kMaxPointsOfMarks, 50'000);
+  EXPECT_EQ(kMaxMarksPerSecond, 5);
+  EXPECT_EQ(kMaxMarksAtOnce, 25);
+  EXPECT_EQ(kMaxAuthorKeyBytes, 64u);
   EXPECT_EQ(kMaxQueuedSets, 2u);
   EXPECT_EQ(kMaxSpeakersHeard, 8u);
   EXPECT_EQ(kMaxQueuedAudioPackets, 10u);

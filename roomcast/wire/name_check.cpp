@@ -37,23 +37,24 @@ bool is_control_character(std::string_view sequence) {
 
 }  // namespace
 
-Status check_name(std::string_view name, std::string_view what) {
-  if (name.size() > kMaxNameBytes) {
+Status check_text(std::string_view text, std::size_t max_bytes, std::string_view what) {
+  if (text.size() > max_bytes) {
     return Error{ErrorCode::kTooLarge,
-                 "the " + std::string(what) + "'s name is longer than 64 bytes"};
+                 std::string(what) + " is longer than " + std::to_string(max_bytes) + " bytes"};
   }
-  for (std::string_view rest = name; !rest.empty();) {
+  for (std::string_view rest = text; !rest.empty();) {
     const std::size_t length = utf8_sequence_length(rest);
-    if (length == 0)
-      return Error{ErrorCode::kMalformed,
-                   "the " + std::string(what) + "'s name is not valid UTF-8"};
+    if (length == 0) return Error{ErrorCode::kMalformed, std::string(what) + " is not valid UTF-8"};
     if (is_control_character(rest.substr(0, length))) {
-      return Error{ErrorCode::kMalformed,
-                   "the " + std::string(what) + "'s name has control characters"};
+      return Error{ErrorCode::kMalformed, std::string(what) + " has control characters"};
     }
     rest.remove_prefix(length);
   }
   return {};
+}
+
+Status check_name(std::string_view name, std::string_view what) {
+  return check_text(name, kMaxNameBytes, "the " + std::string(what) + "'s name");
 }
 
 }  // namespace roomcast::wire

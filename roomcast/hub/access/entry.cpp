@@ -82,6 +82,7 @@ Entry entry_of(const pb::Join& join, const Claims* claims, const RoomSettings& r
   entry.may_share = meets(room.share, claims);
   const bool is_person = join.has_viewer() && !join.viewer().records() && !join.viewer().relays();
   entry.may_speak = is_person && meets(room.speak, claims);
+  entry.may_mark = meets(room.mark, claims);
   if (claims == nullptr) return entry;
   entry.token_id = claims->id;
   entry.expires_at = claims->expires_at;

@@ -24,6 +24,7 @@ struct Entry {
   bool may_record = false;       // record the streams that it gets
   bool may_share = false;        // and pass recordings on
   bool may_speak = false;        // send audio packets
+  bool may_mark = false;         // leave marks in the room
   bool takes_over_name = false;  // the sensor may replace an online one of the same name
   std::string new_token = {};    // issued in exchange for a code
   std::uint64_t other_hub = 0;   // the hub of a sensor that a backplane represents; 0: this hub

@@ -170,6 +170,20 @@ TEST_F(EntryTest, the_room_decides_the_right_to_record) {
   EXPECT_EQ(fault(viewer("open", true), claims("open", TokenRole::kAdmin)), pb::ERROR_NOT_ALLOWED);
 }
 
+TEST_F(EntryTest, the_room_decides_who_may_leave_marks) {
+  const auto may_mark = [&](const std::string& room, const std::optional<Claims>& shown = {}) {
+    return std::get<Entry>(decide(viewer(room), shown)).may_mark;
+  };
+  EXPECT_TRUE(may_mark("open"));
+  rooms["open"].mark = AccessRule::kAdmin;
+  EXPECT_FALSE(may_mark("open"));
+  EXPECT_TRUE(may_mark("open", claims("open", TokenRole::kAdmin)));
+  rooms["lab"].mark = AccessRule::kToken;
+  EXPECT_TRUE(may_mark("lab", claims("lab", TokenRole::kViewer)));
+  rooms["open"].mark = AccessRule::kNobody;
+  EXPECT_FALSE(may_mark("open", claims("open", TokenRole::kAdmin)));
+}
+
 TEST_F(EntryTest, a_closed_room_admits_no_client) {
   rooms["lab"].view = AccessRule::kNobody;
   EXPECT_EQ(fault(viewer("lab"), claims("lab", TokenRole::kAdmin)), pb::ERROR_NOT_ALLOWED);

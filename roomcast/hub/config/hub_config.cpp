@@ -267,7 +267,8 @@ Result<HubConfig> read_environment(HubConfig config,
 }
 
 Result<std::vector<RoomSettings>> rooms_of(const HubConfig& config, AccessRule access) {
-  const RoomSettings open_ends{.send = access, .view = access, .record = access, .share = access};
+  const RoomSettings open_ends{
+      .send = access, .view = access, .record = access, .share = access, .mark = access};
   std::vector<RoomSettings> rooms;
   std::set<std::string> names;
   for (const std::string& text : config.rooms) {

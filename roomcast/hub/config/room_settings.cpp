@@ -105,6 +105,7 @@ std::map<std::string, Reader> readers_into(RoomSettings& s) {
           {"record", into(s.record)},
           {"export", into(s.share)},
           {"speak", into(s.speak)},
+          {"mark", into(s.mark)},
           {"stream_unwatched", into(s.stream_unwatched)},
           {"start_positions", into(s.start_positions)}};
 }
@@ -166,6 +167,7 @@ Json to_json(const RoomSettings& settings) {
           {"record", name_of(settings.record)},
           {"export", name_of(settings.share)},
           {"speak", name_of(settings.speak)},
+          {"mark", name_of(settings.mark)},
           {"stream_unwatched", settings.stream_unwatched},
           {"start_positions", std::move(positions)}};
 }

@@ -82,6 +82,18 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
       if (!may_report_people(from)) break;
       take_poses(from, message.viewer_poses(), now);
       return out;
+    case pb::Control::kMark:
+      if (viewer == viewers_.end()) break;
+      return take_mark(from, viewer->second, message.mark(), now);
+    case pb::Control::kRemoveMarks:
+      if (viewer == viewers_.end()) break;
+      return remove_marks(from, viewer->second, message.remove_marks(), now);
+    case pb::Control::kGuide:
+      if (viewer == viewers_.end()) break;
+      if (!viewer->second.may_nudge) {
+        return refuse(from, pb::ERROR_UNEXPECTED, "to guide everybody takes an admin's token", now);
+      }
+      return set_guide(viewer->second.id, message.guide().on());
     case pb::Control::kViewerStats:
       if (viewer == viewers_.end()) break;
       viewer->second.reported_stats = message.viewer_stats();
@@ -205,9 +217,11 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
     send_roster(now, out);
     send_closed_sets(now, out);
   } else if (const auto viewer = viewers_.find(from); viewer != viewers_.end()) {
-    poses_.forget(viewer->second.id);
-    voices_.forget(viewer->second.id);
+    const ViewerId id = viewer->second.id;
+    poses_.forget(id);
+    voices_.forget(id);
     viewers_.erase(viewer);
+    out = set_guide(id, false);
     forget_people(remote_presence_.forget(from));
     send_roster_when_due(now, out);
   } else {

@@ -21,6 +21,8 @@
 #include "roomcast/hub/config/room_settings.h"
 #include "roomcast/hub/room/frame_demand.h"
 #include "roomcast/hub/room/frame_synchronizer.h"
+#include "roomcast/hub/room/known_room.h"
+#include "roomcast/hub/room/mark_list.h"
 #include "roomcast/hub/room/pose_relay.h"
 #include "roomcast/hub/room/remote_presence.h"
 #include "roomcast/hub/room/room_action.h"
@@ -48,9 +50,12 @@ class Room {
   [[nodiscard]] RoomActions change(RoomSettings settings, RoomTime now);
   [[nodiscard]] const RoomSettings& settings() const { return settings_; }
 
-  /// The sensors known before the hub was started. They get their IDs back when they join. Must be
-  /// called before any event.
-  void remember(std::vector<KnownSensor> sensors) { sensors_.remember(std::move(sensors)); }
+  /// What was known before the hub was started: marks, and sensors, which get their IDs back when
+  /// they join. Must be called before any event.
+  void remember(KnownRoom known) {
+    sensors_.remember(std::move(known.sensors));
+    marks_.remember(std::move(known.marks));
+  }
 
   // Events. Messages have passed wire::decode_control, parse_frame or parse_audio.
 
@@ -99,7 +104,8 @@ class Room {
     ViewerId id;
     std::string name;
     std::uint32_t color_rgb = 0;
-    bool may_nudge = false;
+    bool may_nudge = false;  // it joined with an admin's token
+    bool may_mark = false;
     bool records = false;
     bool relays = false;  // it is a hub that relays this room
     bool may_speak = false;
@@ -107,6 +113,8 @@ class Room {
     std::string token_id;
     wire::pb::ViewerStats reported_stats = {};  // reported by the viewer
     RateLimit people{kPeopleReportsPerSecond, 4 * kPeopleReportsPerSecond};
+    std::uint64_t author_tag = 0;  // of its marks
+    RateLimit marks{wire::kMaxMarksPerSecond, wire::kMaxMarksAtOnce};
   };
 
   void join_sensor(ConnectionId from, const wire::pb::Join& join, const Entry& entry, RoomTime now,
@@ -129,6 +137,13 @@ class Room {
   [[nodiscard]] bool may_report_people(ConnectionId from) const;
   RoomActions take_people(ConnectionId from, const wire::pb::PeopleHere& people, RoomTime now);
   void take_poses(ConnectionId from, const wire::pb::ViewerPoses& poses, RoomTime now);
+  [[nodiscard]] std::string why_not_mark(Viewer& viewer, RoomTime now);
+  RoomActions take_mark(ConnectionId from, Viewer& viewer, const wire::pb::Mark& given,
+                        RoomTime now);
+  RoomActions remove_marks(ConnectionId from, Viewer& viewer, const wire::pb::RemoveMarks& removal,
+                           RoomTime now);
+  void tell_marks(ConnectionId newcomer, RoomActions& out) const;
+  RoomActions set_guide(ViewerId viewer, bool guides);
   bool forget_people(const RemotePresence::Change& change);
   void add_voice(ConnectionId connection, const Viewer& viewer, RoomActions& out);
   void send_voices(RoomTime now, RoomActions& out);
@@ -163,6 +178,8 @@ class Room {
   PoseRelay poses_;
   VoiceRelay voices_;
   std::set<std::string> muted_tokens_;
+  MarkList marks_;
+  std::optional<ViewerId> guide_;  // who shows everybody around
   FrameSynchronizer sets_;
   FrameDemand demand_;
   bool is_watched_elsewhere_ = false;

@@ -59,8 +59,15 @@ struct SaveSensors {
   std::vector<KnownSensor> sensors;
 };
 
+/// Save these marks and delete those, so that the room has the same ones after a restart of the
+/// hub.
+struct SaveMarks {
+  std::vector<wire::pb::Mark> added = {};
+  std::vector<std::uint32_t> removed = {};  // IDs
+};
+
 using RoomAction = std::variant<SendControl, SendSet, SendAudio, RestartSensor, AcceptConnection,
-                                Disconnect, SaveSensors>;
+                                Disconnect, SaveSensors, SaveMarks>;
 using RoomActions = std::vector<RoomAction>;
 
 }  // namespace roomcast::hub

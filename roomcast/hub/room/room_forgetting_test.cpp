@@ -51,7 +51,7 @@ TEST_F(RoomTest, who_has_a_place_that_was_found_keeps_it_while_gone) {
 }
 
 TEST_F(RoomTest, who_was_forgotten_comes_back_as_a_new_one) {
-  room.remember({{"left", SensorId{0}, stored_pose_at(7, 3)}});
+  room.remember({.sensors = {{"left", SensorId{0}, stored_pose_at(7, 3)}}});
   (void)room.forget("left", at(0s));
   const auto left = enter(sensor_join("left", std::nullopt));
   EXPECT_FALSE(room.stats().sensors.at(0).pose.is_estimated());

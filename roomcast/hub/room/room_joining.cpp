@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "roomcast/core/assert.h"
+#include "roomcast/hub/access/author_tag.h"
 #include "roomcast/hub/room/pose_rules.h"
 #include "roomcast/hub/room/room.h"
 #include "roomcast/wire/limits.h"
@@ -130,6 +131,9 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, const Entry& ent
   welcome.mutable_welcome()->set_may_record(entry.may_record);
   welcome.mutable_welcome()->set_may_export(entry.may_share);
   welcome.mutable_welcome()->set_may_speak(entry.may_speak);
+  const std::uint64_t author_tag = author_tag_of(settings_.name, join.viewer().author_key());
+  welcome.mutable_welcome()->set_may_mark(entry.may_mark);
+  welcome.mutable_welcome()->set_author_tag(author_tag);
   wire::write_transform(next_start_pose(), *welcome.mutable_welcome()->mutable_start_pose());
   welcome.mutable_welcome()->set_viewer_id(next_viewer_id_);
 
@@ -139,16 +143,19 @@ void Room::join_viewer(ConnectionId from, const pb::Join& join, const Entry& ent
                     .name = join.name(),
                     .color_rgb = kViewerColors[next_viewer_id_ % kViewerColors.size()],
                     .may_nudge = entry.may_place,
+                    .may_mark = entry.may_mark,
                     .records = join.viewer().records(),
                     .relays = join.viewer().relays(),
                     .may_speak = entry.may_speak,
                     .hears = join.viewer().hears(),
-                    .token_id = entry.token_id};
+                    .token_id = entry.token_id,
+                    .author_tag = author_tag};
   ++next_viewer_id_;
   out.push_back(AcceptConnection{from, join.viewer().relays() ? Role::kHub : Role::kViewer});
   out.push_back(SendControl{{from}, std::move(welcome)});
   if (!send_roster_when_due(now, out)) out.push_back(SendControl{{from}, roster_message()});
   add_voice(from, viewers_[from], out);
+  tell_marks(from, out);
   for (RoomSensor& sensor : sensors_.all()) {
     if (sensor.connection && sensor.key_pace.request(now)) ask_for_key(sensor, out);
   }

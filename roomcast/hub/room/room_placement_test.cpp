@@ -232,7 +232,7 @@ TEST_F(RoomTest, poses_that_were_found_are_kept_and_used_when_the_hub_has_starte
   EXPECT_EQ(kept[0].sensors[0].name, "left");
 
   Room restarted({.name = "lab"}, "test");
-  restarted.remember(kept[0].sensors);
+  restarted.remember({.sensors = kept[0].sensors});
   (void)restarted.join(ConnectionId{1}, viewer_join(), {}, at(0s));
   (void)restarted.join(ConnectionId{2}, sensor_join("right", std::nullopt), {}, at(1s));
   const auto roster =
@@ -244,7 +244,7 @@ TEST_F(RoomTest, poses_that_were_found_are_kept_and_used_when_the_hub_has_starte
 }
 
 TEST_F(RoomTest, a_pose_from_before_a_restart_is_used_at_once_and_said_to_be_unverified) {
-  room.remember({{"left", SensorId{0}, stored_pose_at(7, 4)}});
+  room.remember({.sensors = {{"left", SensorId{0}, stored_pose_at(7, 4)}}});
   const auto aligner = enter(aligner_join());
   const auto sensor = enter(sensor_join("left", std::nullopt));
   EXPECT_EQ(newest_roster(actions).sensors(0).world_from_depth(3), 7);
@@ -280,7 +280,7 @@ TEST_F(RoomTest, sensors_keep_their_ids_when_the_hub_has_started_again) {
     }
   }
   Room restarted({.name = "lab"}, "test");
-  restarted.remember(kept);
+  restarted.remember({.sensors = kept});
   const auto back = restarted.join(ConnectionId{1}, sensor_join("right"), {}, at(0s));
   EXPECT_EQ(messages(back, pb::Control::kWelcome).at(0).message.welcome().sensor_id(), 1U);
   EXPECT_THAT(all<SaveSensors>(back), IsEmpty()) << "nothing new";
@@ -288,7 +288,7 @@ TEST_F(RoomTest, sensors_keep_their_ids_when_the_hub_has_started_again) {
 
 TEST_F(RoomTest, poses_that_nobody_would_verify_are_not_used) {
   Room alone({.name = "lab"}, "test", false);
-  alone.remember({{"left", SensorId{0}, stored_pose_at(7, 4)}});
+  alone.remember({.sensors = {{"left", SensorId{0}, stored_pose_at(7, 4)}}});
   (void)alone.join(ConnectionId{1}, viewer_join(), {}, at(0s));
   const auto roster =
       newest_roster(alone.join(ConnectionId{2}, sensor_join("left", std::nullopt), {}, at(1s)));

@@ -42,9 +42,9 @@ RoomRegistry::RoomRegistry(RoomRegistryOptions options, boost::asio::io_context&
 
 // ---- rooms
 
-void RoomRegistry::open(const RoomSettings& settings, std::vector<KnownSensor> sensors) {
+void RoomRegistry::open(const RoomSettings& settings, KnownRoom known) {
   Room room(settings, options_.hub_version, options_.restores_poses);
-  room.remember(std::move(sensors));
+  room.remember(std::move(known));
   RoomRunner::Context context{
       .io = io_,
       .shards = shards_,

@@ -53,7 +53,7 @@ class RoomRegistry final : public BackplaneEvents {
   void start();
 
   // Rooms. Closing a room disconnects its clients.
-  void open(const RoomSettings& settings, std::vector<KnownSensor> sensors);
+  void open(const RoomSettings& settings, KnownRoom known);
   void change(const RoomSettings& settings);
   void close(const std::string& room);
   [[nodiscard]] bool is_configured(const std::string& room) const {

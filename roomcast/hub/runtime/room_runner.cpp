@@ -156,6 +156,16 @@ void RoomRunner::apply(const SaveSensors& action) {
                             });
 }
 
+void RoomRunner::apply(const SaveMarks& action) {
+  context_.store_worker.ask(
+      [room = name(), action](HubStore& store) {
+        return store.marks().save(room, action.added, action.removed);
+      },
+      [warn = context_.warn](const Status& status) {
+        if (!status) warn(status.error().message);
+      });
+}
+
 void RoomRunner::send(ConnectionId to, const wire::pb::Control& message) const {
   if (const ConnectionPtr connection = find(to)) connection->send(message);
 }

@@ -86,6 +86,7 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
   void apply(const AcceptConnection& action);
   void apply(const Disconnect& action);
   void apply(const SaveSensors& action);
+  void apply(const SaveMarks& action);
   void notify_backplane();
   void schedule_tick();
 

@@ -63,7 +63,7 @@ class HubServer::Loop {
   /// Must be called before any room is opened.
   Status open_backplane();
   void open_rooms(const std::map<std::string, RoomSettings>& rooms,
-                  std::map<std::string, std::vector<KnownSensor>> sensors);
+                  std::map<std::string, KnownRoom> known);
   Status listen();
   void run(const std::stop_token& stop);
   [[nodiscard]] std::uint16_t port() const { return http_->port(); }
@@ -154,8 +154,8 @@ Status HubServer::Loop::open_backplane() {
 }
 
 void HubServer::Loop::open_rooms(const std::map<std::string, RoomSettings>& rooms,
-                                 std::map<std::string, std::vector<KnownSensor>> sensors) {
-  for (const auto& [name, settings] : rooms) registry_->open(settings, std::move(sensors[name]));
+                                 std::map<std::string, KnownRoom> known) {
+  for (const auto& [name, settings] : rooms) registry_->open(settings, std::move(known[name]));
 }
 
 net::HttpServerOptions HubServer::Loop::http_options() {
@@ -244,18 +244,20 @@ Result<std::unique_ptr<HubServer>> HubServer::open(HubOptions options) {
   const auto kept = (*store)->rooms().load();
   if (!kept) return kept.error();
   const auto rooms = rooms_to_open(options, *kept);
-  std::map<std::string, std::vector<KnownSensor>> sensors;
+  std::map<std::string, KnownRoom> known;
   for (const auto& [name, settings] : rooms) {
-    auto known = (*store)->sensors().load(name);
-    if (!known) return known.error();
-    sensors[name] = *std::move(known);
+    auto sensors = (*store)->sensors().load(name);
+    if (!sensors) return sensors.error();
+    auto marks = (*store)->marks().load(name);
+    if (!marks) return marks.error();
+    known[name] = {*std::move(sensors), *std::move(marks)};
   }
   auto link = make_link_fragment(options.first_link, **store);
   if (!link) return link.error();
   auto loop = std::make_unique<Loop>(std::move(options), *std::move(store), *std::move(link),
                                      std::move(site));
   if (auto status = loop->open_backplane(); !status) return status.error();
-  loop->open_rooms(rooms, std::move(sensors));
+  loop->open_rooms(rooms, std::move(known));
   if (auto status = loop->listen(); !status) return status.error();
   return std::unique_ptr<HubServer>(new HubServer(std::move(loop)));
 }

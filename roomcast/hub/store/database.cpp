@@ -34,6 +34,11 @@ constexpr const char* kSteps[Database::kVersion] = {
     "ALTER TABLE codes ADD COLUMN issued_at INTEGER NOT NULL DEFAULT 0;"
     "ALTER TABLE codes ADD COLUMN revoked_at INTEGER;"
     "UPDATE codes SET issued_at = expires_at - 3600;",  // codes were valid for one hour
+
+    "CREATE TABLE marks ("
+    "  room TEXT NOT NULL, id INTEGER NOT NULL,"
+    "  mark BLOB NOT NULL,"  // a Mark of control.proto
+    "  PRIMARY KEY (room, id)) STRICT;",
 };
 
 /// Names of rooms and of people are nobody else's business. SQLite gives its other files (WAL,

@@ -17,6 +17,7 @@
 #include "roomcast/hub/access/hub_secret.h"
 #include "roomcast/hub/access/token_signer.h"
 #include "roomcast/hub/access/wall_clock.h"
+#include "roomcast/hub/store/mark_store.h"
 #include "roomcast/hub/store/room_store.h"
 #include "roomcast/hub/store/sensor_store.h"
 #include "roomcast/hub/store/token_store.h"
@@ -45,9 +46,10 @@ class HubStore {
 
   SensorStore& sensors() { return sensors_; }
   RoomStore& rooms() { return rooms_; }
+  MarkStore& marks() { return marks_; }
 
-  /// Deletes a room's settings and sensors and revokes its tokens, all or nothing, so that old
-  /// tokens do not admit to a new room of the same name.
+  /// Deletes a room's settings, sensors and marks and revokes its tokens, all or nothing, so that
+  /// old tokens do not admit to a new room of the same name.
   [[nodiscard]] Status forget_room(const std::string& room);
 
   /// ERROR_TOKEN_INVALID, ERROR_TOKEN_EXPIRED, ERROR_TOKEN_REVOKED.
@@ -86,6 +88,7 @@ class HubStore {
   std::unique_ptr<Database> database_;
   SensorStore sensors_{*database_};
   RoomStore rooms_{*database_};
+  MarkStore marks_{*database_};
   TokenStore tokens_{*database_};
   const TokenSigner signer_;
   const WallClock now_;

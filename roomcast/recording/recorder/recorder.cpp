@@ -112,7 +112,8 @@ class Recorder::Link final : public client::HubLinkEvents {
     if (writer_ && !rights.may_export) check(writer_->forbid_export());
   }
   void on_control(const pb::Control& message) override {
-    if (message.has_roster() || message.has_viewer_poses()) take(Held(message));
+    if (message.has_roster() || message.has_viewer_poses() || message.has_marks())
+      take(Held(message));
   }
   void on_frame(net::MessageBuffer message) override { take(Held(std::move(message))); }
   net::FramedMessagePtr next_frame() override { return nullptr; }
@@ -219,6 +220,7 @@ void Recorder::Link::count() {
 
 Status Recorder::Link::write(const pb::Control& message, nanoseconds log_time) {
   if (message.has_viewer_poses()) return writer_->add_poses(message.viewer_poses(), log_time);
+  if (message.has_marks()) return writer_->add_marks(message.marks(), log_time);
   auto status = writer_->add_roster(message.roster(), log_time);
   roster_is_known_ = true;
   for (const auto& [sensor, bundle] : std::exchange(held_bundles_, {})) {

@@ -98,6 +98,32 @@ TEST_F(RecorderTest, keeps_the_same_bytes) {
   EXPECT_TRUE(file->may_be_exported());
 }
 
+TEST_F(RecorderTest, keeps_the_marks_of_the_room) {
+  ASSERT_TRUE(open().ok());
+  say_roster();
+  wire::pb::Control said;
+  said.mutable_marks()->set_all(true);
+  auto& mark = *said.mutable_marks()->add_marks();
+  mark.set_kind(wire::pb::MARK_KIND_NOTE);
+  for (const float metres : {1.f, 0.f, -2.f}) mark.add_points(metres);
+  mark.set_text("mind the step");
+  on_hub([&](client::FakeHub& h) { h.say(said); });
+  say_frame(0, 0);
+  EXPECT_TRUE(within_5_s([&] { return recorder->stats().frames == 1; }));
+  ASSERT_TRUE(recorder->finish().ok());
+  const auto file = RoomRecording::open(path);
+  ASSERT_TRUE(file.ok());
+  recording::RecordingCursor cursor(*file);
+  recording::RecordedMessage message;
+  std::vector<std::string> kept;
+  while (*cursor.next(message)) {
+    if (message.kind != recording::MessageKind::kMarks) continue;
+    kept.emplace_back(message.message.data.begin(), message.message.data.end());
+  }
+  ASSERT_EQ(kept.size(), 1u);
+  EXPECT_EQ(kept[0], said.marks().SerializeAsString());
+}
+
 /// Nobody knows whether the hub has answered at the moment of the request.
 TEST_F(RecorderTest, that_is_stopped_while_it_opens_leaves_a_whole_file_or_none) {
   int opened = 0;

@@ -89,6 +89,7 @@ MessageKind RoomRecording::kind_of(recording::mcap::ChannelId id) const {
   const recording::mcap::Channel& channel = found->second;
   if (channel.topic == kRosterTopic) return MessageKind::kRoster;
   if (channel.topic == kPosesTopic) return MessageKind::kPoses;
+  if (channel.topic == kMarksTopic) return MessageKind::kMarks;
   if (channel.topic == kClockTopic) return MessageKind::kClock;
   if (!channel.topic.starts_with(kSensorPrefix)) return MessageKind::kOther;
   if (channel.message_encoding == kFrameEncoding) return MessageKind::kFrame;

@@ -38,7 +38,7 @@ struct RecordedSensor {
   return time.count() > -kFarthest && time.count() < kFarthest;
 }
 
-enum class MessageKind { kFrame, kRoster, kPoses, kBundle, kClock, kOther };
+enum class MessageKind { kFrame, kRoster, kPoses, kMarks, kBundle, kClock, kOther };
 
 class RoomRecording {
  public:

@@ -50,6 +50,7 @@ RoomRecordingWriter::RoomRecordingWriter(recording::mcap::Writer writer, std::st
   schemas_.frame = writer_.add_schema("roomcast.Frame", "", {});
   schemas_.roster = add_schema(writer_, *wire::pb::Roster::descriptor());
   schemas_.poses = add_schema(writer_, *wire::pb::ViewerPoses::descriptor());
+  schemas_.marks = add_schema(writer_, *wire::pb::Marks::descriptor());
   schemas_.bundle = add_schema(writer_, *wire::pb::CalibrationBundle::descriptor());
   schemas_.clock = add_clock_schema(writer_);
 }
@@ -133,6 +134,10 @@ Status RoomRecordingWriter::add_roster(const wire::pb::Roster& roster, nanosecon
 
 Status RoomRecordingWriter::add_poses(const wire::pb::ViewerPoses& poses, nanoseconds log_time) {
   return add(stream(kPosesTopic, schemas_.poses, kProtobuf), poses, log_time);
+}
+
+Status RoomRecordingWriter::add_marks(const wire::pb::Marks& marks, nanoseconds log_time) {
+  return add(stream(kMarksTopic, schemas_.marks, kProtobuf), marks, log_time);
 }
 
 Status RoomRecordingWriter::add_bundle(const wire::pb::CalibrationBundle& bundle,

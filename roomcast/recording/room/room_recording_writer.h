@@ -41,6 +41,7 @@ class RoomRecordingWriter {
   [[nodiscard]] Status add_clock(const RoomClock& clock, nanoseconds log_time);
   [[nodiscard]] Status add_roster(const wire::pb::Roster& roster, nanoseconds log_time);
   [[nodiscard]] Status add_poses(const wire::pb::ViewerPoses& poses, nanoseconds log_time);
+  [[nodiscard]] Status add_marks(const wire::pb::Marks& marks, nanoseconds log_time);
   /// Bundles of sensors that are not in the last roster are ignored.
   [[nodiscard]] Status add_bundle(const wire::pb::CalibrationBundle& bundle, nanoseconds log_time);
   /// `message`: frame message with header. Frames of sensors not in the last roster, or of
@@ -62,7 +63,7 @@ class RoomRecordingWriter {
     std::uint32_t next_sequence = 0;
   };
   struct Schemas {
-    recording::mcap::SchemaId frame, roster, poses, bundle, clock;
+    recording::mcap::SchemaId frame, roster, poses, marks, bundle, clock;
   };
 
   struct Frames {

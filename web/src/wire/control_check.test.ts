@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { create, type MessageInitShape } from '@bufbuild/protobuf';
 import { describe, expect, test } from 'vitest';
-import { ControlSchema } from '../gen/control_pb';
+import { ControlSchema, MarkKind } from '../gen/control_pb';
 import { checkControl, checkRigid } from './control_check';
 import { WireError } from './wire_error';
 
@@ -123,4 +123,26 @@ describe("a viewer's pose", () => {
 test('a welcome may leave the start pose out, but not give a wrong one', () => {
   expect(refusal({ case: 'welcome', value: { room: 'lab' } })).toBeUndefined();
   expect(refusal({ case: 'welcome', value: { startPose: [1, 2, 3] } })).toMatch(/start_pose/);
+});
+
+describe('marks', () => {
+  const note = { kind: MarkKind.NOTE, points: [1, 0, -2], text: 'mind the step' };
+  const refusalOfMark = (change: object) => refusal({ case: 'marks', value: { marks: [{ ...note, ...change }] } });
+  test('that are right are accepted, and those of a kind of a later version, too', () => {
+    expect(refusalOfMark({})).toBeUndefined();
+    expect(refusalOfMark({ kind: MarkKind.SKETCH, points: [0, 0, 0, 1, 1, 1], text: '' })).toBeUndefined();
+    expect(refusalOfMark({ kind: 99, points: [1, 2, 3] })).toBeUndefined();
+  });
+  test('with other points than their kind has are refused', () => {
+    expect(refusalOfMark({ points: [1, 2] })).toMatch(/number of points/);
+    expect(refusalOfMark({ points: [1, 2, 3, 4, 5, 6] })).toMatch(/number of points/);
+    expect(refusalOfMark({ kind: MarkKind.SKETCH, points: Array(3 * 513).fill(0) })).toMatch(/number of points/);
+    expect(refusalOfMark({ kind: 99, points: Array(3e6).fill(0) })).toMatch(/number of points/);
+    expect(refusalOfMark({ points: [NaN, 0, 0] })).toMatch(/range/);
+  });
+  test('with too many words, or too many of them, are refused', () => {
+    expect(refusalOfMark({ text: 'é'.repeat(141) })).toMatch(/longer than 280/);
+    expect(refusalOfMark({ text: 'two\nlines' })).toMatch(/control/);
+    expect(refusal({ case: 'marks', value: { marks: Array(501).fill(note) } })).toMatch(/more marks/);
+  });
 });

@@ -1,19 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks control messages from a hub to a viewer: docs/spec/wire.md §3 and §4; the same rules as
 // roomcast/wire/control_check.cpp. Throws WireError.
-import type {
-  Calibration,
-  Control,
-  Intrinsics,
-  Pose,
-  Roster,
-  ViewerPose,
-  ViewerPoses,
-  Voices,
-  Welcome,
+import {
+  MarkKind,
+  type Calibration,
+  type Control,
+  type Intrinsics,
+  type Mark,
+  type Marks,
+  type Pose,
+  type Roster,
+  type ViewerPose,
+  type ViewerPoses,
+  type Voices,
+  type Welcome,
 } from '../gen/control_pb';
-import { maxDepthSide, maxFps, maxImageSide, maxPosesPerMessage, maxPosition_m, maxSensors, maxViewers, minDepthSide } from './limits';
-import { checkName } from './name_check';
+import {
+  maxDepthSide,
+  maxFps,
+  maxImageSide,
+  maxMarkPoints,
+  maxMarks,
+  maxMarkTextBytes,
+  maxPosesPerMessage,
+  maxPosition_m,
+  maxSensors,
+  maxViewers,
+  minDepthSide,
+} from './limits';
+import { checkName, checkText } from './name_check';
 import { malformed, tooLarge } from './wire_error';
 
 const rigidTolerance = 2e-3; // a millimetre and a milliradian of rounding; scaling and mirroring are more
@@ -111,6 +126,29 @@ function checkVoices({ speaking, muted }: Voices): void {
   if (speaking.length > maxViewers || muted.length > maxViewers) throw tooLarge('there are more voices than viewers in a room');
 }
 
+/** Points, as the kind has them: at least, at most. A kind of a later version has any number, and is not shown. */
+const pointsOf: Record<number, [number, number]> = {
+  [MarkKind.NOTE]: [1, 1],
+  [MarkKind.SKETCH]: [2, maxMarkPoints],
+  [MarkKind.DISTANCE]: [2, 2],
+  [MarkKind.PLACE]: [2, 2],
+};
+
+function checkMark({ kind, points, text, author }: Mark): void {
+  const [least, most] = pointsOf[kind] ?? [0, maxMarkPoints];
+  if (points.length > 3 * most || points.length < 3 * least || points.length % 3 !== 0) {
+    throw malformed('a mark has the wrong number of points for its kind');
+  }
+  if (!points.every((metres) => Math.abs(metres) <= maxPosition_m)) throw malformed('a mark is out of range');
+  checkText(text, maxMarkTextBytes, 'a note');
+  checkName(author, 'author');
+}
+
+function checkMarks({ marks, removed }: Marks): void {
+  if (marks.length > maxMarks || removed.length > maxMarks) throw tooLarge('there are more marks than a room may have');
+  marks.forEach(checkMark);
+}
+
 export function checkControl(control: Control): void {
   switch (control.message.case) {
     case 'welcome':
@@ -121,6 +159,8 @@ export function checkControl(control: Control): void {
       return checkViewerPoses(control.message.value);
     case 'voices':
       return checkVoices(control.message.value);
+    case 'marks':
+      return checkMarks(control.message.value);
     default: // the other kinds have no invalid values, or a viewer does not use them
   }
 }

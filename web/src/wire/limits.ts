@@ -16,3 +16,6 @@ export const maxDepthSide = 4096;
 export const maxFps = 240;
 export const maxPosition_m = 10_000;
 export const maxLayer = 7;
+export const maxMarks = 500; // in a room
+export const maxMarkPoints = 512; // of one sketch
+export const maxMarkTextBytes = 280;

@@ -6,21 +6,28 @@ import { malformed, tooLarge } from './wire_error';
 // C0, DEL and C1.
 const controlCharacter = /[\u0000-\u001f\u007f-\u009f]/;
 
+export function checkText(text: string, maxBytes: number, what: string): void {
+  if (new TextEncoder().encode(text).length > maxBytes) throw tooLarge(`${what} is longer than ${maxBytes} bytes`);
+  if (controlCharacter.test(text)) throw malformed(`${what} has control characters`);
+}
+
 export function checkName(name: string, what: string): void {
-  if (new TextEncoder().encode(name).length > maxNameBytes) {
-    throw tooLarge(`the ${what}'s name is longer than ${maxNameBytes} bytes`);
+  checkText(name, maxNameBytes, `the ${what}'s name`);
+}
+
+/** The longest prefix of the user's input that is legal and has at most `maxBytes`. */
+export function asText(typed: string, maxBytes: number): string {
+  let text = '';
+  let bytes = 0;
+  for (const character of typed.trim()) {
+    bytes += new TextEncoder().encode(character).length;
+    if (bytes > maxBytes) break;
+    if (!controlCharacter.test(character)) text += character;
   }
-  if (controlCharacter.test(name)) throw malformed(`the ${what}'s name has control characters`);
+  return text;
 }
 
 /** The longest prefix of the user's input that is a legal name. */
 export function asName(typed: string): string {
-  let name = '';
-  let bytes = 0;
-  for (const character of typed.trim()) {
-    bytes += new TextEncoder().encode(character).length;
-    if (bytes > maxNameBytes) break;
-    if (!controlCharacter.test(character)) name += character;
-  }
-  return name;
+  return asText(typed, maxNameBytes);
 }
