@@ -21,6 +21,7 @@ constexpr std::array kCases = {
     Case{"room", "three simulated sensors on loopback", measure_room},
     Case{"internet", "20 Mbit/s, 50 ms, 1 % loss", measure_internet},
     Case{"narrow", "half of the bandwidth that is needed", measure_narrow},
+    Case{"voice", "audio while frames fill a line", measure_voice},
 };
 
 }  // namespace

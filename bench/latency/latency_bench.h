@@ -5,8 +5,9 @@
 //   internet  1 MB/s over an emulated 20 Mbit/s, 50 ms, 1 % loss
 //   narrow    2.5 MB/s over an emulated 10 Mbit/s, 50 ms: a viewer with half the needed rate,
 //             next to 20 viewers with enough
+//   voice     a speaker, and 2.9 Mbit/s of frames over an emulated 2 Mbit/s, 50 ms: the age of audio
 //
-// The last two need root (EmulatedLink); without it they are left out and reported in `left_out`.
+// The last three need root (EmulatedLink); without it they are left out and reported in `left_out`.
 // Ages are wall-clock times: on a busy machine they include its load.
 #pragma once
 
@@ -22,7 +23,7 @@
 namespace roomcast::bench {
 
 struct LatencyBenchOptions {
-  std::vector<std::string> cases = {"room", "internet", "narrow"};
+  std::vector<std::string> cases = {"room", "internet", "narrow", "voice"};
   std::chrono::milliseconds duration{10'000};
 };
 

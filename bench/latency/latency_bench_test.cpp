@@ -31,6 +31,25 @@ TEST(LatencyBench, a_viewer_behind_a_narrow_link_gets_whole_sets) {
   }
 }
 
+TEST(LatencyBench, audio_passes_a_line_that_frames_fill) {
+  LatencyReport report;
+  const auto status = measure_voice(1s, report);
+  if (!status && status.error().code == ErrorCode::kUnsupported) {
+    GTEST_SKIP() << status.error().message;
+  }
+  ASSERT_TRUE(status.ok()) << status.error().message;
+  ASSERT_EQ(report.rows.size(), 1U);
+  EXPECT_GT(report.rows[0].p50, 25) << "the link's own delay";
+  for (const Figure& figure : report.figures) {
+    if (figure.name == "voice: audio packets delivered") {
+      EXPECT_GT(figure.value, 80);
+    }
+    if (figure.name == "voice: frames delivered") {
+      EXPECT_LT(figure.value, 95) << "else the line is not full";
+    }
+  }
+}
+
 TEST(LatencyBench, distributions_are_ordered) {
   const LatencyRow row = distribution("x", "ms", {5, 1, 4, 2, 3});
   EXPECT_EQ(row.p50, 3);

@@ -29,9 +29,9 @@ void add_latency_bench(CLI::App& bench, Command& chosen) {
   CLI::App* command = bench.add_subcommand("latency",
                                            "Latency from capture to decoded frame, by stage, also "
                                            "over emulated bad networks (needs root)");
-  command->add_option("--case", options->cases, "Networks: room, internet, narrow")
+  command->add_option("--case", options->cases, "Networks: room, internet, narrow, voice")
       ->delimiter(',')
-      ->check(CLI::IsMember({"room", "internet", "narrow"}));
+      ->check(CLI::IsMember({"room", "internet", "narrow", "voice"}));
   command->add_option("--seconds", *seconds, "Seconds per network")
       ->check(within(1.0, 600.0))
       ->capture_default_str();
