@@ -46,6 +46,13 @@ export class Sound {
     return { context: context.state, isOn, isSending, speakers: heard };
   }
 
+  /** Whether this page is in the room, or only trying to get there. */
+  setHere(isHere: boolean): void {
+    if (isHere === this.isHere) return;
+    this.isHere = isHere;
+    this.refresh();
+  }
+
   welcomed(maySpeak: boolean): void {
     this.isHere = true;
     this.rights = { maySpeak, isMuted: false };
@@ -120,7 +127,7 @@ export class Sound {
     const { voice } = this;
     if (this.hasFailed) return texts.notLoaded;
     if (hearingObstacle(this.support)) return obstacle;
-    if (!this.isHere) return '';
+    if (!this.isHere) return voice?.isOn ? texts.notConnected : '';
     if (voice?.problem) return voice.problem;
     if (obstacle) return obstacle;
     if (voice?.awaitsGesture) return texts.awaitsGesture;

@@ -211,6 +211,7 @@ export const voiceTexts = {
   off: 'Your microphone is off.',
   sending: 'The others hear you.',
   waits: 'The others hear you when you speak.',
+  notConnected: 'Nobody hears you while this page is not connected to the hub.',
   heldBack: 'The others hear you while you hold V or the button.',
   awaitsGesture: 'Click anywhere or press a key to hear the others: browsers ask for that.',
   insecure:

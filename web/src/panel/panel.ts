@@ -191,6 +191,7 @@ export class Panel {
     setText(this.shown.value, live ? perSecond(state.shownFps) : '–');
     const latency = `${milliseconds(state.latency_ms)} ${clockError(status?.clock?.error_ms)}`.trim();
     setText(this.latency.value, live ? latency : '–');
+    this.sound.setHere(live);
     this.sensors.refresh();
     this.troubles.show(problems({ ...this.known(), hubAddress: this.hubAddress }, state.roomTime_ms(), Date.now()));
     this.showWays();
