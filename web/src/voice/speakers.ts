@@ -67,8 +67,10 @@ export class Speakers {
   remove(id: number): void {
     const speaker = this.speakers.get(id);
     this.speakers.delete(id);
-    speaker?.node.disconnect();
-    speaker?.panner.disconnect();
+    if (!speaker) return;
+    speaker.node.port.postMessage(null);
+    speaker.node.disconnect();
+    speaker.panner.disconnect();
   }
 
   volumeOf(id: number): number {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scripts of the AudioWorklet: one processor gathers the microphone's samples into blocks of 20 ms, one plays a
 // speaker's packets. They exchange messages with the voice worker directly, past the page, which may be busy drawing.
+// From the page comes that port, and null at the end: a processor that only loses its connections would run on.
 import { JitterBuffer } from './jitter_buffer';
 import { packetSamples, type PcmPacket } from './voice_packet';
+
+const figuresEvery = 128; // quanta of 128 samples, a third of a second
 
 export interface RecordedBlock {
   first: number; // number of its first sample
@@ -13,14 +16,19 @@ class Microphone extends AudioWorkletProcessor {
   private block = new Float32Array(packetSamples);
   private filled = 0;
   private to: MessagePort | undefined;
+  private isOver = false;
 
   constructor() {
     super();
-    this.port.onmessage = ({ data }: MessageEvent<MessagePort>) => (this.to = data);
+    this.port.onmessage = ({ data }: MessageEvent<MessagePort | null>) => {
+      this.isOver = data === null;
+      if (data) this.to = data;
+    };
   }
 
   process([input]: Float32Array[][]): boolean {
     const samples = input?.[0];
+    if (this.isOver) return false;
     if (!samples || !this.to) return true;
     const space = packetSamples - this.filled;
     this.block.set(samples.subarray(0, space), this.filled);
@@ -38,11 +46,14 @@ class Microphone extends AudioWorkletProcessor {
 
 class Player extends AudioWorkletProcessor {
   private readonly buffer = new JitterBuffer();
-  private figuresIn = 0;
+  private quanta = 0;
+  private isOver = false;
 
   constructor() {
     super();
-    this.port.onmessage = ({ data: from }: MessageEvent<MessagePort>) => {
+    this.port.onmessage = ({ data: from }: MessageEvent<MessagePort | null>) => {
+      this.isOver = from === null;
+      if (!from) return;
       from.onmessage = ({ data }: MessageEvent<PcmPacket>) => this.buffer.push(data, 1000 * currentTime);
     };
   }
@@ -50,8 +61,8 @@ class Player extends AudioWorkletProcessor {
   process(_: Float32Array[][], [output]: Float32Array[][]): boolean {
     const out = output?.[0];
     if (out) this.buffer.pull(out, 1000 * currentTime);
-    if (++this.figuresIn % 128 === 0) this.port.postMessage(this.buffer.figures);
-    return true;
+    if (++this.quanta % figuresEvery === 0) this.port.postMessage(this.buffer.figures);
+    return !this.isOver;
   }
 }
 
