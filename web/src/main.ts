@@ -2,20 +2,22 @@
 // Wires the page together: worker -> state -> stage and panel; navigation and headset -> stage and hub.
 import './theme.css';
 import { accessTo, readAccess, rememberAccess, type Access } from './access';
+import { authorKey } from './author_key';
 import type { Console } from './console/console';
 import { HubApi } from './console/hub_api';
 import type { Voices, Welcome } from './gen/control_pb';
 import { LazyConsole } from './lazy_console';
 import { Look } from './look';
-import { OwnPlaces } from './own_places';
+import { Marking } from './marking';
+import { nudgeEvents } from './nudge_events';
 import { ownName, takeName } from './own_name';
 import { PosePublisher } from './pose_publisher';
 import { parseOptions, socketUrl, type PageOptions } from './page_options';
 import type { NudgeEvents } from './panel/nudge_controls';
 import { Panel } from './panel/panel';
 import { pictureName } from './panel/picture_name';
-import type { PlaceEvents } from './panel/place_list';
 import { Progress } from './panel/progress';
+import { RoomPlaces } from './room_places';
 import type { RoomRoster } from './room_roster';
 import { RoomState } from './room_state';
 import { SensorNudges } from './sensor_nudges';
@@ -27,7 +29,6 @@ import { RoomLink } from './stream/room_link';
 import { TestApi } from './test_api';
 import { consoleTexts, problemTexts } from './texts';
 import type { DrawMode } from './view/draw_mode';
-import { alongView, standingLike } from './view/nudge';
 import { headsetPace, screenPace } from './view/quality_ladder';
 import { darkBackground, lightBackground } from './view/room_scene';
 import { Stage } from './view/stage';
@@ -44,7 +45,7 @@ const roomForPanel_px = 560; // as in panel.css
 class Page {
   private readonly state = new RoomState();
   private readonly sound: Sound;
-  private readonly panel: Panel;
+  readonly panel: Panel;
   private readonly progress: Progress;
   private readonly console: LazyConsole;
   private readonly api: HubApi;
@@ -52,10 +53,11 @@ class Page {
   private readonly posePublisher: PosePublisher;
   private readonly link: RoomLink;
   private readonly stage: Stage;
-  private readonly standpoint: Standpoint;
+  readonly standpoint: Standpoint;
+  readonly marking: Marking;
   private readonly headset: Headset;
   private readonly nudges = new SensorNudges();
-  private readonly places = new OwnPlaces(browserStorage.store);
+  private readonly places = new RoomPlaces(browserStorage.store, () => this);
   private atHand: ViewFrame[] = []; // passed to the stage, not yet drawn
   private setAtHand = 0n;
 
@@ -76,11 +78,12 @@ class Page {
       named: (text) => this.rename(text),
       follow: (viewer) => !this.headset.isOn && this.standpoint.follow.toggle(viewer),
       goTo: (x, z) => this.standpoint.goTo(x, z),
-      places: this.placeEvents(),
+      places: this.places.events,
       view: {
         reset: () => this.standpoint.goToStart(),
         share: () => ({ address: this.standpoint.share(), omitsToken: this.access.token !== '' }),
         picture: () => this.takePicture(),
+        guide: (on) => this.link.guide(on),
       },
       headset: {
         enter: (mode) => this.enter(mode),
@@ -98,9 +101,18 @@ class Page {
       changed: () => this.viewChanged(),
       modeGiven: (mode) => this.setMode(mode),
       followChanged: () => this.panel.setFollowed(this.standpoint.follow.whom),
+      guideEnded: () => this.link.guide(false),
     });
+    const { stage, state, standpoint } = this;
+    this.marking = new Marking(document.getElementById('tools')!, { stage, state, standpoint }, {
+      leave: (mark) => this.link.mark(mark),
+      remove: (ids) => this.link.removeMarks(ids),
+      changed: () => this.places.show(),
+    });
+    const author = authorKey(browserStorage.store);
+    const hears = hearingObstacle(soundSupport()) === '';
     this.link = new RoomLink(
-      { socketUrl: url, room: options.room, name, record: options.record, access, hears: hearingObstacle(soundSupport()) === '' },
+      { socketUrl: url, room: options.room, name, record: options.record, access, hears, authorKey: author },
       (message) => this.receive(message),
     );
     this.begin();
@@ -119,48 +131,9 @@ class Page {
     if (this.stage.room.avatars.speak(this.state.speaking)) this.stage.touch();
   }
 
-  private placeEvents(): PlaceEvents {
-    const show = () => this.panel.showPlaces(this.places.list);
-    return {
-      fromAbove: () => this.standpoint.goAbove(),
-      asSensor: (sensor) => this.standpoint.goToSensor(sensor),
-      goToPlace: ({ view }) => this.standpoint.goToView(view),
-      keep: (name) => {
-        const kept = this.places.keep(name, this.standpoint.current);
-        show();
-        return kept;
-      },
-      forget: ({ name }) => {
-        this.places.forget(name);
-        show();
-      },
-    };
-  }
-
   private nudgeEvents(): NudgeEvents {
-    return {
-      push: (sensor, step) => {
-        const entry = this.state.roster?.sensors.find(({ id }) => id === sensor);
-        if (entry) this.nudges.push(entry, alongView(step, this.standpoint.current.yaw));
-        this.showRoster();
-      },
-      putHere: (sensor) => {
-        this.nudges.put(sensor, standingLike(this.standpoint.current));
-        this.showRoster();
-      },
-      tryIt: (sensor) => {
-        const nudge = this.nudges.of(sensor);
-        if (!nudge) return 'notMoved';
-        if (this.state.connection.phase !== 'joined') return 'notConnected';
-        this.link.nudge(sensor, nudge);
-        return 'sent';
-      },
-      putBack: (sensor) => {
-        const wasMoved = this.nudges.forget(sensor);
-        this.showRoster();
-        return wasMoved;
-      },
-    };
+    const { state, nudges, standpoint, link } = this;
+    return nudgeEvents({ state, nudges, standpoint, link, changed: () => this.showRoster() });
   }
 
   private showRoster(): void {
@@ -230,7 +203,11 @@ class Page {
     setInterval(() => this.reportStats(), statsInterval_ms);
     void headsetOffer(window.isSecureContext, browsersXr()).then((offer) => this.panel.headset.offer(offer));
     const { navigation } = standpoint;
-    window.roomcast = new TestApi({ stage, state, navigation, headset, sound, setMode: (mode) => this.setMode(mode) });
+    window.roomcast = new TestApi({ stage, state, navigation, headset, sound, ...this.forTests() });
+  }
+
+  private forTests() {
+    return { setMode: (mode: DrawMode) => this.setMode(mode), marks: () => this.marking.list };
   }
 
   private receive(message: FromWorker): void {
@@ -248,6 +225,11 @@ class Page {
         message.poses.forEach((pose) => this.state.poses.set(pose.viewerId, pose));
         if (this.stage.room.avatars.move(message.poses)) this.stage.touch();
         return;
+      case 'marks':
+        return this.marking.take(message.marks);
+      case 'guide':
+        this.standpoint.follow.guided(message.viewer);
+        return this.panel.setGuide(this.state.welcome?.mayPlace ?? false, this.standpoint.follow.isGuide);
       case 'frames':
         return this.take(message.setId, message.frames, message.decodedAt_ms);
       case 'voices':
@@ -265,6 +247,9 @@ class Page {
     this.state.welcome = welcome;
     this.places.enter(welcome.room);
     this.sound.welcomed(welcome.maySpeak);
+    this.standpoint.follow.guided(0);
+    this.panel.setGuide(welcome.mayPlace, false);
+    this.marking.welcomed(welcome);
     document.title = `${welcome.room || 'room'} · roomcast`;
     if (welcome.token) this.access.token = welcome.token;
     if (this.access.token) rememberAccess(this.access, tabStorage.store);
@@ -321,7 +306,7 @@ class Page {
     this.standpoint.followRoster(roster, before);
     this.sound.follow(roster.viewers);
     this.panel.rebuild();
-    this.panel.showPlaces(this.places.list);
+    this.places.show();
   }
 
   private get body(): Body {
@@ -351,6 +336,7 @@ class Page {
   private refresh(now_ms: number, frame: XRFrame | undefined): void {
     if (frame) this.headset.update(now_ms, frame);
     else this.standpoint?.update(now_ms);
+    this.marking?.update();
     this.posePublisher?.update(now_ms);
   }
 

@@ -4,8 +4,9 @@
 // ViewerPose).
 import { Vector3 } from 'three';
 import type { PlainBeam } from './stream/protocol';
-import { beamOf, disposeBeam, shine } from './view/pointer_beam';
 import type { CanvasHand } from './view/canvas_hand';
+import { disposeTree } from './view/dispose_tree';
+import { beamOf, shine } from './view/pointer_beam';
 import type { Stage } from './view/stage';
 import type { SurfacePick } from './view/surface_pick';
 
@@ -78,7 +79,7 @@ export class Pointing implements CanvasHand {
     const { scene } = this.stage.room;
     if (this.drawn && !this.beam) {
       scene.remove(this.drawn);
-      disposeBeam(this.drawn);
+      disposeTree(this.drawn);
       this.drawn = undefined;
     } else if (this.beam) {
       if (!this.drawn) scene.add((this.drawn = beamOf(this.color())));

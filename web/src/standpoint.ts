@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where this page's viewer stands: the start view, the view that an address holds, and what moves it.
+import type { Vector3 } from 'three';
 import { hasCredential } from './access';
 import { Follow } from './follow';
 import type { PageOptions } from './page_options';
@@ -32,6 +33,7 @@ export interface StandpointEvents {
   modeGiven(mode: DrawMode): void;
   /** Another person is followed, or nobody. */
   followChanged(): void;
+  guideEnded(): void;
 }
 
 function byId(id: string): HTMLElement {
@@ -42,7 +44,7 @@ export class Standpoint {
   readonly navigation: Navigation;
   readonly follow: Follow;
   readonly pick: SurfacePick;
-  private readonly pointing: Pointing;
+  readonly pointing: Pointing;
   private readonly hint: MoveHint;
   private hubKnewSensors = false; // when this viewer joined, so its start pose is meaningful
   private placed: boolean; // the start view was set, or the user has moved the view
@@ -66,7 +68,10 @@ export class Standpoint {
     this.pick = new SurfacePick(stage);
     this.pointing = new Pointing(stage, this.pick, () => state.ownColor, () => events.changed());
     this.navigation.hands.pointing = this.pointing;
-    this.follow = new Follow(byId('follow'), state, { changed: () => events.followChanged() });
+    this.follow = new Follow(byId('follow'), state, {
+      changed: () => events.followChanged(),
+      guideEnded: () => events.guideEnded(),
+    });
     this.hint = new MoveHint(byId('hint'), tabStore);
     const stick = new WalkStick(byId('stick'), (push) => this.navigation.pushStick(push));
     watchPointer((kind) => {
@@ -166,10 +171,15 @@ export class Standpoint {
     this.follow.end();
   }
 
+  /** Smoothly to a point: in front of it, looking at it, or upon it where it is on the floor. */
+  goToPoint(point: Vector3): void {
+    this.goToView(viewAt(this.current, point));
+  }
+
   /** Smoothly to the surface that is seen at a pixel, or to the floor where no sensor sees anything. */
   private goToPixel(x: number, y: number): void {
     const point = this.pick.at(x, y);
-    if (point) this.navigation.glideTo(viewAt(this.current, point));
+    if (point) this.goToPoint(point);
   }
 
   private changed(view: ViewState): void {

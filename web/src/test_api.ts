@@ -2,7 +2,7 @@
 // window.roomcast: the interface for tests. Described in web/README.md. All results are plain JSON: 64-bit numbers are
 // strings. Pixels are CSS pixels of the canvas, from the top left.
 import { Vector3 } from 'three';
-import type { Pose } from './gen/control_pb';
+import type { Mark, Pose } from './gen/control_pb';
 import type { RoomState } from './room_state';
 import type { Sound } from './sound';
 import { crc32 } from './stream/crc32';
@@ -19,6 +19,7 @@ export interface TestApiParts {
   state: RoomState;
   navigation: Navigation;
   headset: Headset;
+  marks(): readonly Mark[];
   setMode(mode: DrawMode): void;
   sound: Sound;
 }
@@ -131,6 +132,11 @@ export class TestApi {
   /** Null before the voice module is loaded. */
   voice() {
     return this.parts.sound.figures;
+  }
+
+  /** The room's marks as they were received, oldest first. */
+  marks() {
+    return this.parts.marks().map(({ id, kind, points, text, author }) => ({ id, kind, points, text, author }));
   }
 
   setView(at: Triple, look: Triple): void {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All English texts of the page in one place, for review and translation.
+// All English texts of the page in one place, for review and translation; those of the tools and marks are in
+// mark_texts.ts.
 
 export const headsetTexts = {
   title: 'Headset',
@@ -116,6 +117,7 @@ export const consoleTexts = {
     record: 'Who may record',
     export: 'Who may export',
     speak: 'Who may speak',
+    mark: 'Who may leave marks',
     who: { anyone: 'anyone', token: 'clients with a token', admin: 'admins', nobody: 'nobody' },
     save: 'Save',
     saved: 'Saved. It applies to clients that join from now on.',
@@ -255,6 +257,11 @@ export const placesTexts = {
   asSensor: (name: string) => `As ${name} sees it`,
   name: 'Name of where you are now',
   keep: 'Keep it',
+  keepForAll: 'For everybody',
+  keptForAll: (name: string) => `“${name}” is a place of this room now: everybody can go there.`,
+  notKeptForAll: 'It needs a name, and a connection to the hub.',
+  by: (author: string) => `named by ${author}`,
+  remove: (name: string) => `Remove the place ${name} for everybody`,
   kept: (name: string) => `“${name}” is kept in this browser. To give it to others, share the view.`,
   notKept: 'It needs a name, and no more than 50 places are kept.',
   forget: (name: string) => `Forget the place ${name}`,

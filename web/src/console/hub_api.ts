@@ -16,6 +16,7 @@ export interface RoomSettings {
   record?: Who;
   export?: Who;
   speak?: Who;
+  mark?: Who;
 }
 
 export interface HubRoom extends RoomSettings {

@@ -41,7 +41,7 @@ export class RoomView {
     const maxViewers = numberField(1, mostViewers, room.max_viewers);
     const maxSensors = numberField(1, mostSensors, room.max_sensors ?? mostSensors);
     const listed = checkbox(room.listed ?? true);
-    const rights = (['view', 'speak', 'send', 'record', 'export'] as const).map((right) => ({
+    const rights = (['view', 'speak', 'mark', 'send', 'record', 'export'] as const).map((right) => ({
       right,
       field: choice<Who>(texts.who, room[right] ?? 'anyone'),
     }));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Says on the room whom one follows, with a button to stop, and why that has ended.
+// Says on the room whom one follows, or that everybody follows, with a button to stop, and why that has ended.
+import { guideTexts } from '../mark_texts';
 import { followTexts as texts } from '../texts';
 import { element, setText } from './element';
 
@@ -21,6 +22,16 @@ export class FollowNote {
 
   following(name: string): void {
     this.show(texts.following(name), true);
+  }
+
+  /** The person shows everybody around. */
+  guided(name: string): void {
+    this.show(guideTexts.guided(name), true);
+  }
+
+  /** This viewer does. */
+  guiding(): void {
+    this.show(guideTexts.guiding, true);
   }
 
   /** `sentence` may be empty. */

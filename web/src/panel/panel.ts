@@ -17,7 +17,7 @@ import { HeadsetControls, type HeadsetControlEvents } from './headset_controls';
 import { MiniMap } from './mini_map';
 import { NameForm } from './name_form';
 import { PeopleList } from './people_list';
-import { PlaceList, type PlaceEvents } from './place_list';
+import { PlaceList, type PlaceEvents, type RoomPlaces } from './place_list';
 import { problems } from './problems';
 import { RadioGroup } from './radio_group';
 import { RoomList } from './room_list';
@@ -203,8 +203,13 @@ export class Panel {
     this.map.show(view);
   }
 
-  showPlaces(places: readonly Place[]): void {
-    this.placeList.show(this.state.roster?.sensors ?? [], places);
+  showPlaces(places: readonly Place[], room: RoomPlaces): void {
+    this.placeList.show(this.state.roster?.sensors ?? [], places, room);
+  }
+
+  /** `offered`: this viewer may show everybody around; `on`: they do. */
+  setGuide(offered: boolean, on: boolean): void {
+    this.tools.setGuide(offered, on);
   }
 
   showDrawing(drawing: Drawing): void {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places to go to by one press: from above, what each sensor sees, and those that somebody has named here.
+// Places to go to by one press: from above, what each sensor sees, those that somebody has named for everybody, and
+// those that are named in this browser only.
+import type { Mark } from '../gen/control_pb';
 import type { Place } from '../own_places';
 import type { RoomSensor } from '../room_roster';
 import { placesTexts as texts } from '../texts';
@@ -16,6 +18,16 @@ export interface PlaceEvents {
   /** Names where one stands now; false if that is not possible. */
   keep(name: string): boolean;
   forget(place: Place): void;
+  goToMark(place: Mark): void;
+  /** As `keep`, for everybody. */
+  keepForAll(name: string): boolean;
+  removeForAll(place: Mark): void;
+}
+
+export interface RoomPlaces {
+  places: readonly Mark[]; // of kind PLACE
+  mayMark: boolean;
+  mayRemove(place: Mark): boolean;
 }
 
 function plain(text: string): HTMLButtonElement {
@@ -24,6 +36,10 @@ function plain(text: string): HTMLButtonElement {
 
 export class PlaceList {
   readonly root: HTMLElement;
+  private readonly roomList = element('ul', { class: 'own-places' });
+  private readonly ofRoom: KeyedList<Mark>;
+  private readonly forAll = plain(texts.keepForAll);
+  private mayRemove: (place: Mark) => boolean = () => false;
   private readonly list = element('ul', { class: 'own-places' });
   private readonly own: KeyedList<Place>;
   private readonly sensorList = element('div', { class: 'buttons' });
@@ -33,19 +49,26 @@ export class PlaceList {
 
   constructor(private readonly events: PlaceEvents) {
     this.own = new KeyedList<Place>(this.list, ({ name }) => name, (place) => this.row(place));
+    this.ofRoom = new KeyedList<Mark>(this.roomList, ({ id }) => String(id), (place) => this.roomRow(place));
     this.ofSensors = new KeyedList<RoomSensor>(this.sensorList, ({ id }) => String(id), (sensor) => this.sensorRow(sensor));
     const above = plain(texts.fromAbove);
     above.addEventListener('click', () => events.fromAbove());
-    const form = element('form', {}, labelled(texts.name, this.field), element('button', { class: 'plain' }, texts.keep));
+    const keep = element('button', { class: 'plain' }, texts.keep);
+    const form = element('form', {}, labelled(texts.name, this.field), keep, this.forAll);
+    this.forAll.addEventListener('click', () => this.keepForAll());
     form.addEventListener('submit', (event) => {
       event.preventDefault();
       this.keep();
     });
     const title = element('summary', {}, texts.title);
-    this.root = element('details', { class: 'help place-list' }, title, above, this.sensorList, this.list, form, this.said);
+    this.root = element('details', { class: 'help place-list' }, title, above, this.sensorList, this.roomList, this.list, form);
+    this.root.append(this.said);
   }
 
-  show(sensors: readonly RoomSensor[], places: readonly Place[]): void {
+  show(sensors: readonly RoomSensor[], places: readonly Place[], room: RoomPlaces): void {
+    this.mayRemove = room.mayRemove;
+    this.forAll.hidden = !room.mayMark;
+    this.ofRoom.show(room.places);
     this.ofSensors.show([...sensors].sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true })));
     this.own.show(places);
   }
@@ -55,6 +78,25 @@ export class PlaceList {
     const kept = this.events.keep(name);
     setText(this.said, kept ? texts.kept(name.trim()) : texts.notKept);
     if (kept) this.field.value = '';
+  }
+
+  private keepForAll(): void {
+    const name = this.field.value;
+    const kept = this.events.keepForAll(name);
+    setText(this.said, kept ? texts.keptForAll(name.trim()) : texts.notKeptForAll);
+    if (kept) this.field.value = '';
+  }
+
+  private roomRow(place: Mark): Row<Mark> {
+    const go = plain(place.text);
+    if (place.author) go.append(element('small', {}, texts.by(place.author)));
+    go.addEventListener('click', () => this.events.goToMark(place));
+    const remove = element('button', { type: 'button', class: 'plain', 'aria-label': texts.remove(place.text) }, '×');
+    remove.addEventListener('click', () => {
+      this.field.focus();
+      this.events.removeForAll(place);
+    });
+    return { root: element('li', {}, go, remove), update: (now) => (remove.hidden = !this.mayRemove(now)) };
   }
 
   private sensorRow({ id }: RoomSensor): Row<RoomSensor> {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Buttons for one's own view: back to the start, an address for others that opens it, full screen, a picture.
+import { guideTexts } from '../mark_texts';
 import { viewTexts as texts } from '../texts';
 import { element, setText } from './element';
 import { labelled, textField } from './form';
@@ -14,6 +15,8 @@ export interface ViewToolEvents {
   share(): SharedView;
   /** A PNG of the view, and the name of its file; null where it cannot be drawn. */
   picture(): Promise<{ png: Blob; name: string } | null>;
+  /** Shows everybody around from now on, or no more. */
+  guide(on: boolean): void;
 }
 
 const download_ms = 60_000; // after that the browser has read the picture
@@ -22,6 +25,7 @@ export class ViewTools {
   readonly root = element('div', { class: 'view-tools' });
   private readonly buttons = element('div', { class: 'buttons' });
   private readonly full: HTMLButtonElement;
+  private readonly guide: HTMLButtonElement;
   private readonly said = element('p', { role: 'status' });
   private readonly address = textField(0);
   private readonly shared = labelled(texts.address, this.address);
@@ -36,9 +40,21 @@ export class ViewTools {
     this.full = this.add(texts.fullScreen, () => void this.switchFullScreen());
     this.full.hidden = !document.fullscreenEnabled;
     this.add(texts.save, () => void this.save());
+    this.guide = this.add(guideTexts.guide, () => events.guide(!this.guides));
+    this.setGuide(false, false);
     document.addEventListener('fullscreenchange', () => this.showFullScreen());
     window.addEventListener('keydown', (event) => this.keyDown(event));
     this.root.append(this.buttons, this.shared, this.said);
+  }
+
+  /** `offered`: this viewer may show everybody around; `on`: they do. */
+  setGuide(offered: boolean, on: boolean): void {
+    this.guide.hidden = !offered;
+    this.guide.setAttribute('aria-pressed', String(on));
+  }
+
+  private get guides(): boolean {
+    return this.guide.getAttribute('aria-pressed') === 'true';
   }
 
   private add(label: string, chosen: () => void): HTMLButtonElement {

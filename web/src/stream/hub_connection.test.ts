@@ -55,12 +55,14 @@ let seen: string[];
 
 function start(): HubConnection {
   const connection = new HubConnection(
-    { socketUrl: 'ws://hub:7600/ws', room: 'lab', name: 'Ada', access, hears: true },
+    { socketUrl: 'ws://hub:7600/ws', room: 'lab', name: 'Ada', access, hears: true, authorKey: new Uint8Array([1, 2]) },
     {
       connection: (state) => states.push(state),
       welcome: (welcome) => seen.push(`welcome ${welcome.viewerId}`),
       roster: () => seen.push('roster'),
       poses: () => seen.push('poses'),
+      marks: ({ marks }) => seen.push(`${marks.length} marks`),
+      guide: (viewer) => seen.push(`guide ${viewer}`),
       frame: (header) => seen.push(`frame ${header.seq}`),
       voices: ({ speaking }) => seen.push(`voices ${speaking.join()}`),
       audio: ({ speaker }, payload) => seen.push(`audio ${speaker}: ${payload.join()}`),

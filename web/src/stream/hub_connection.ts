@@ -3,7 +3,7 @@
 // connects to another hub with this room. docs/spec/wire.md §1, §3 and §5. Local time is this program's
 // performance.now, in milliseconds.
 import { pingDelay_ms, RoomClock } from '../clock/room_clock';
-import { ErrorCode, type Control, type Roster, type ViewerPose, type Voices, type Welcome } from '../gen/control_pb';
+import { ErrorCode, type Control, type Marks, type Roster, type ViewerPose, type Voices, type Welcome } from '../gen/control_pb';
 import { connectionTexts } from '../texts';
 import { audioPayload, encodeAudio, parseAudioHeader, type AudioHeader } from '../wire/audio_header';
 import { decodeControl, encodeControl, type ControlMessage } from '../wire/control';
@@ -30,6 +30,9 @@ export interface HubEvents {
   welcome(welcome: Welcome): void;
   roster(roster: Roster): void;
   poses(poses: ViewerPose[]): void;
+  marks(marks: Marks): void;
+  /** Who shows everybody around; 0: nobody. */
+  guide(viewer: number): void;
   frame(header: FrameHeader, payload: Uint8Array): void;
   voices(voices: Voices): void;
   audio(header: AudioHeader, payload: Uint8Array): void;
@@ -57,7 +60,7 @@ export class HubConnection {
   private readonly hubs: HubChoice;
 
   constructor(
-    private readonly options: Pick<StartOptions, 'socketUrl' | 'room' | 'name' | 'access' | 'hears'>,
+    private readonly options: Pick<StartOptions, 'socketUrl' | 'room' | 'name' | 'access' | 'hears' | 'authorKey'>,
     private readonly events: HubEvents,
   ) {
     this.token = options.access.token;
@@ -110,7 +113,8 @@ export class HubConnection {
     this.socket = socket;
     this.ending.opened = true;
     this.silent_ms = 0;
-    const role = { case: 'viewer', value: { hears: this.options.hears } } as const;
+    const { hears, authorKey } = this.options;
+    const role = { case: 'viewer', value: { hears, authorKey } } as const;
     // A code is valid once: after it was exchanged for a token, that token is presented.
     const right = this.token ? { token: this.token } : { code: this.options.access.code };
     this.send({ case: 'join', value: { room: this.room, name: this.name, role, ...right, redirected: this.redirected } });
@@ -152,6 +156,10 @@ export class HubConnection {
         return this.events.poses(message.value.poses);
       case 'voices':
         return this.events.voices(message.value);
+      case 'marks':
+        return this.events.marks(message.value);
+      case 'guide':
+        return this.events.guide(message.value.on ? message.value.viewerId : 0);
       case 'clockPong':
         return this.clock.addExchange(
           Number(message.value.clientNs) / 1e6,

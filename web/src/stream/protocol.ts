@@ -2,7 +2,7 @@
 // Messages between the page and its worker. The worker owns socket, clock and decoders; the page draws. Pixel arrays
 // are transferred, not copied, and return to the worker after drawing.
 import type { Access } from '../access';
-import type { Pose, ViewerPose, Voices, Welcome } from '../gen/control_pb';
+import type { MarkKind, Marks, Pose, ViewerPose, Voices, Welcome } from '../gen/control_pb';
 import type { RoomRoster } from '../room_roster';
 
 export interface ViewFrame {
@@ -76,6 +76,8 @@ export type FromWorker =
   | { kind: 'poses'; poses: ViewerPose[] }
   | { kind: 'voices'; voices: Voices }
   | { kind: 'spoken' } // audio has come, and there is no voice worker yet
+  | { kind: 'marks'; marks: Marks }
+  | { kind: 'guide'; viewer: number } // 0: nobody
   | { kind: 'frames'; setId: bigint; frames: ViewFrame[]; decodedAt_ms: number }
   | { kind: 'status'; status: Status }
   | { kind: 'broken'; sentence: string }; // the worker cannot continue
@@ -87,6 +89,14 @@ export interface StartOptions {
   record: boolean; // fill Status.decoded
   hears: boolean; // ask the hub for audio
   access: Access;
+  authorKey: Uint8Array; // of this viewer's marks
+}
+
+/** A mark to leave. `points`: x, y, z of each; metres, world. */
+export interface NewMark {
+  kind: MarkKind;
+  points: number[];
+  text: string;
 }
 
 export type ToWorker =
@@ -95,6 +105,9 @@ export type ToWorker =
   | { kind: 'pose'; body: Body }
   | { kind: 'nudge'; sensor: number; worldFromDepth: number[] }
   | { kind: 'voice'; port: MessagePort } // to the voice worker
+  | { kind: 'mark'; mark: NewMark }
+  | { kind: 'removeMarks'; ids: number[] }
+  | { kind: 'guide'; on: boolean }
   | { kind: 'rename'; name: string } // joins again
   | { kind: 'stats'; lastSetId: bigint; shownFps: number; latency_ms: number };
 

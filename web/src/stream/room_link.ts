@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's interface to its worker.
 import { problemTexts } from '../texts';
-import type { Body, FromWorker, StartOptions, ToWorker, ViewFrame } from './protocol';
+import type { Body, FromWorker, NewMark, StartOptions, ToWorker, ViewFrame } from './protocol';
 
 export class RoomLink {
   private readonly worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'roomcast' });
@@ -33,6 +33,18 @@ export class RoomLink {
   /** Connects the voice worker with the hub. */
   connectVoice(port: MessagePort): void {
     this.worker.postMessage({ kind: 'voice', port } satisfies ToWorker, [port]);
+  }
+
+  mark(mark: NewMark): void {
+    this.tell({ kind: 'mark', mark });
+  }
+
+  removeMarks(ids: number[]): void {
+    this.tell({ kind: 'removeMarks', ids });
+  }
+
+  guide(on: boolean): void {
+    this.tell({ kind: 'guide', on });
   }
 
   /** Joins the room again under another name. */

@@ -73,6 +73,12 @@ export class RoomStream {
       }
       case 'voice':
         return this.connectVoice(message.port);
+      case 'mark':
+        return this.hub?.send({ case: 'mark', value: message.mark });
+      case 'removeMarks':
+        return this.hub?.send({ case: 'removeMarks', value: { ids: message.ids } });
+      case 'guide':
+        return this.hub?.send({ case: 'guide', value: { on: message.on } });
       case 'rename':
         return this.hub?.rename(message.name);
       case 'stats': {
@@ -89,6 +95,8 @@ export class RoomStream {
       welcome: (welcome) => this.post({ kind: 'welcome', welcome }),
       roster: (roster) => this.follow(roster),
       poses: (poses) => this.post({ kind: 'poses', poses }),
+      marks: (marks) => this.post({ kind: 'marks', marks }),
+      guide: (viewer) => this.post({ kind: 'guide', viewer }),
       frame: (header, payload) => this.push(header, payload),
       voices: (voices) => this.post({ kind: 'voices', voices }),
       audio: (header, payload) => this.hear(header, payload),

@@ -3,6 +3,7 @@
 // the laser pointer. Part frames are x right, y up, -z forward. Poses arrive 20 times a second and are interpolated.
 import * as THREE from 'three';
 import type { Pose, ViewerEntry, ViewerPose } from '../gen/control_pb';
+import { disposeTree } from './dispose_tree';
 import { beamOf, shine } from './pointer_beam';
 import { pointerRay } from './pointer_ray';
 
@@ -108,16 +109,6 @@ function handOf(color: number): THREE.Group {
   const fist = new THREE.Mesh(new THREE.SphereGeometry(0.045, 16, 12), new THREE.MeshLambertMaterial({ color }));
   hand.add(fist, pointerRay(pointer_m, color));
   return hand;
-}
-
-function disposeTree(root: THREE.Object3D): void {
-  root.traverse((object) => {
-    if (!(object instanceof THREE.Mesh || object instanceof THREE.Sprite || object instanceof THREE.Line)) return;
-    const material = object.material as THREE.MeshLambertMaterial;
-    material.map?.dispose();
-    material.dispose();
-    if (!(object instanceof THREE.Sprite)) object.geometry.dispose();
-  });
 }
 
 export class Avatars {

@@ -6,6 +6,12 @@ import type { PlacedSensor } from './placed_sensor';
 import type { Stage } from './stage';
 
 export const nothing = -1;
+const around_px = 2;
+
+/** Metres along the viewing direction at a pixel of what was read; 0: nothing. */
+function distanceIn(numbers: Uint8Array, pixel: number): number {
+  return numbers[4 * pixel] ? (256 * numbers[4 * pixel + 1]! + numbers[4 * pixel + 2]!) / 1000 : 0;
+}
 
 export class IdPass {
   constructor(private readonly stage: Stage) {}
@@ -27,15 +33,34 @@ export class IdPass {
     return { ids, width, height };
   }
 
-  /** The point of the surface in front at a pixel, in the world; undefined where there is none. Draws that pixel only. */
+  /**
+   * The point of the surface in front at a pixel, in the world, as far away as most of the pixels around it: noise and
+   * holes of a few pixels do not matter. Undefined where there is none. Draws those pixels only.
+   */
   pointAt(x: number, y: number): THREE.Vector3 | undefined {
     const { camera, canvas, room } = this.stage;
-    camera.setViewOffset(canvas.clientWidth, canvas.clientHeight, x, y, 1, 1);
-    const [number, high, low] = this.readIds([...room.placed], 1, 1);
+    const side = 2 * around_px + 1;
+    camera.setViewOffset(canvas.clientWidth, canvas.clientHeight, x - around_px, y - around_px, side, side);
+    const numbers = this.readIds([...room.placed], side, side);
     camera.clearViewOffset();
-    if (!number) return undefined;
-    const distance_m = (256 * high! + low!) / 1000;
-    return pixelRay(this.stage, x, y).multiplyScalar(distance_m).add(camera.position);
+    const distances_m = Array.from({ length: side * side }, (_, i) => distanceIn(numbers, i)).filter((d) => d > 0);
+    const median_m = distances_m.sort((a, b) => a - b)[distances_m.length >> 1];
+    if (!median_m) return undefined;
+    return pixelRay(this.stage, x, y).multiplyScalar(median_m).add(camera.position);
+  }
+
+  /** The point at every pixel of the picture as it is now, for many questions at once. Draws it once. */
+  pointsOfAll(): (x: number, y: number) => THREE.Vector3 | undefined {
+    const { camera, canvas, room } = this.stage;
+    const { clientWidth: width, clientHeight: height } = canvas;
+    const numbers = this.readIds([...room.placed], width, height);
+    const eye = camera.clone();
+    return (x, y) => {
+      const isInside = x >= 0 && y >= 0 && x < width && y < height;
+      const distance_m = isInside ? distanceIn(numbers, (height - 1 - y) * width + x) : 0;
+      if (!distance_m) return undefined;
+      return pixelRay({ camera: eye, canvas }, x, y).multiplyScalar(distance_m).add(eye.position);
+    };
   }
 
   private readIds(sensors: readonly [number, PlacedSensor][], width: number, height: number): Uint8Array {

@@ -36,7 +36,7 @@ export interface NavigationEvents {
 
 export class Navigation {
   /** What a press is given to: a long one `pointing`, every one the `tool`. */
-  readonly hands: { pointing?: CanvasHand; tool?: CanvasHand } = {};
+  readonly hands: { pointing?: CanvasHand; tool?: CanvasHand | undefined } = {};
   private readonly fingers = new Map<number, Finger>();
   private readonly held = new Set<string>();
   private readonly taps = new DoubleTap();

@@ -41,11 +41,3 @@ export function shine(group: THREE.Group, beam: BeamEnds | undefined): void {
   group.scale.set(1, 1, length);
   group.children[1]!.scale.set(1, 1, 1 / length); // the spot stays round
 }
-
-/** For a beam without a label. */
-export function disposeBeam(beam: THREE.Group): void {
-  for (const part of beam.children as THREE.Mesh<THREE.BufferGeometry, THREE.Material>[]) {
-    part.geometry.dispose();
-    part.material.dispose();
-  }
-}

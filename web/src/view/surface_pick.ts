@@ -15,8 +15,17 @@ export class SurfacePick {
   at(x: number, y: number): Vector3 | undefined {
     const { stage } = this;
     if (stage.renderer.xr.isPresenting) return undefined;
-    const seen = new IdPass(stage).pointAt(x, y);
-    return seen ?? floorPoint(stage.camera.position, pixelRay(stage, x, y), floorWithin_m);
+    return new IdPass(stage).pointAt(x, y) ?? this.floorAt(x, y);
+  }
+
+  /** The same for many pixels of the picture as it is now. Draws it once. */
+  many(): (x: number, y: number) => Vector3 | undefined {
+    const seen = new IdPass(this.stage).pointsOfAll();
+    return (x, y) => seen(x, y) ?? this.floorAt(x, y);
+  }
+
+  private floorAt(x: number, y: number): Vector3 | undefined {
+    return floorPoint(this.stage.camera.position, pixelRay(this.stage, x, y), floorWithin_m);
   }
 
   /** Along the ray where there is nothing to meet. */
