@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "roomcast/codec/payload/encoder_options.h"
+#include "roomcast/codec/payload/frame_quality.h"
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 
@@ -18,6 +19,7 @@ namespace roomcast::codec {
 struct EncodedFrameInfo {
   bool key = false;        // can be decoded alone
   std::uint8_t layer = 0;  // 0: later frames may need it; 1, 2: none do
+  int quantizer = 0;       // the quality chosen for a target: FrameQuality; 0: there is none
 };
 
 class FrameEncoder {
@@ -35,6 +37,10 @@ class FrameEncoder {
   /// Sets the colour stream's rate from the next frame on, clamped to the legal range of
   /// color_kbit_per_s. For rate adaptation to the network.
   virtual void set_color_rate(int kbit_per_s) = 0;
+
+  /// Wanted sizes from the next frame on, in live mode; the colour stream's rate is then without
+  /// effect. A single frame may be larger or smaller.
+  virtual void set_target(const FrameTarget& target) = 0;
 
   /// Depth of the newest frame as decoders will show it. Valid until the next call, and only as
   /// long as the encoded picture exists.

@@ -20,6 +20,9 @@ namespace {
 constexpr int kMovingSensorBound_mm =
     5;  // near-lossless bound of live depth while the sensor moves
 
+/// Step of the background in key frames, relative to that of moving surfaces: LiveDepthOptions.
+constexpr double kKeyStepShare = 0.6;
+
 /// Frames from one key frame to the next.
 int key_interval(const FrameEncoderOptions& options) {
   return std::max(1, static_cast<int>(std::lround(options.key_interval_s * options.fps)));
@@ -45,10 +48,18 @@ class SectionFrameEncoder final : public FrameEncoder {
     const FrameRole role = schedule_.next(want_key || anew || (has_color && !color_started_));
     if (role.key) color_started_ = has_color;
     const std::size_t begin = out.size();
+    choose_quality(role, color.pixel_count());
     append_depth(depth_mm, role, out);
-    if (!has_color) return without_color(role);
+    const std::size_t depth_bytes = out.size() - begin;
+    if (!has_color) {
+      quality_.coded(depth_bytes, 0);
+      return without_color(role);
+    }
     const Status status = append_color(depth_mm, color, color_seen, role, out);
-    if (status.ok()) return EncodedFrameInfo{role.key, role.layer};
+    if (status.ok()) {
+      quality_.coded(depth_bytes, out.size() - begin - depth_bytes);
+      return EncodedFrameInfo{role.key, role.layer, chosen_quantizer()};
+    }
     out.resize(begin);
     color_started_ = false;
     return status.error();
@@ -59,6 +70,8 @@ class SectionFrameEncoder final : public FrameEncoder {
     // If libvpx refuses, the stream continues at its current rate.
     if (color_) (void)color_->set_rate(options_.color_kbit_per_s);
   }
+
+  void set_target(const FrameTarget& target) override { quality_.set_target(target); }
 
   [[nodiscard]] DepthView decoded_depth() const override {
     switch (mode_) {
@@ -104,6 +117,18 @@ class SectionFrameEncoder final : public FrameEncoder {
     return true;
   }
 
+  void choose_quality(FrameRole role, std::size_t color_pixels) {
+    quality_.choose(role, color_pixels);
+    if (live_ && quality_.has_target()) {
+      const double step = quality_.depth_step() * kLevelsPerSigma;
+      live_->set_steps(static_cast<int>(std::lround(step)),
+                       static_cast<int>(std::lround(kKeyStepShare * step)));
+    }
+  }
+  [[nodiscard]] int chosen_quantizer() const {
+    return quality_.has_target() ? quality_.quantizer() : 0;
+  }
+
   void append_depth(DepthView depth_mm, FrameRole role, std::vector<std::uint8_t>& out) {
     input_depth_ = depth_mm;
     const std::size_t section = begin_section(SectionKind::kDepth, depth_codec(), out);
@@ -140,7 +165,7 @@ class SectionFrameEncoder final : public FrameEncoder {
   /// stream has had no colour since the last key frame: later colour may still depend on earlier
   /// frames.
   [[nodiscard]] EncodedFrameInfo without_color(FrameRole role) const {
-    if (live_) return {role.key, role.layer};
+    if (live_) return {role.key, role.layer, chosen_quantizer()};
     if (!color_started_) return {true, 0};
     return {false, 1};
   }
@@ -152,6 +177,8 @@ class SectionFrameEncoder final : public FrameEncoder {
       if (!created.ok()) return created.error();
       color_ = std::move(*created);
     }
+    color_->fix_quantizer(quality_.has_target() ? std::optional(quality_.quantizer())
+                                                : std::nullopt);
     std::size_t section = begin_section(SectionKind::kColor, kVp9Color, out);
     const DepthView shown_mm = mode_ == DepthMode::kLive ? live_->shown_mm() : depth_mm;
     color_validity_.update(depth_mm, shown_mm, seen);
@@ -180,6 +207,7 @@ class SectionFrameEncoder final : public FrameEncoder {
   DepthMode mode_;       // of the newest frame
   SensorMotion motion_;  // in live mode
   LayerSchedule schedule_;
+  FrameQuality quality_;
   LosslessDepthEncoder intra_;
   std::unique_ptr<LiveDepthEncoder> live_;  // in live mode
   std::unique_ptr<Vp9ColorEncoder> color_;  // created with the first colour picture

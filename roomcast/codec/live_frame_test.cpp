@@ -36,13 +36,14 @@ SyntheticMotion scene() {
 
 class LiveStream {
  public:
-  explicit LiveStream(int layers) {
+  explicit LiveStream(int layers, const FrameTarget& target = {}) {
     FrameEncoderOptions options;
     options.width = kLiveWidth;
     options.height = kLiveHeight;
     options.temporal_layers = layers;
     options.fps = 4;  // a key frame every 16 frames
     encoder_ = std::move(FrameEncoder::create(options)).value();
+    encoder_->set_target(target);
   }
   Sent next(bool with_color = true, bool want_key = false) {
     return next_of(scene().reading(count_), with_color, want_key);
@@ -66,6 +67,23 @@ class LiveStream {
 
 std::unique_ptr<FrameDecoder> new_decoder() {
   return std::move(FrameDecoder::create(kLiveWidth, kLiveHeight)).value();
+}
+
+TEST(LiveFramesTest, frames_follow_a_target_size) {
+  constexpr int kFrames = 120, kSettled = 60;
+  double sizes[2] = {};
+  for (const double target : {250.0, 500.0}) {
+    LiveStream stream(2, {.bytes = target, .key_bytes = 4 * target});
+    double& mean = sizes[target > 300];
+    for (int i = 0; i < kFrames; ++i) {
+      const Sent sent = stream.next();
+      if (i < kSettled) continue;
+      EXPECT_GE(sent.info.quantizer, FrameQuality::kMinQuantizer);
+      mean += static_cast<double>(sent.payload.size()) / (kFrames - kSettled);
+    }
+    EXPECT_NEAR(mean / target, 1, 0.35) << target;
+  }
+  EXPECT_LT(sizes[0], sizes[1]);
 }
 
 class LiveFrames : public testing::TestWithParam<int> {};

@@ -8,6 +8,8 @@ namespace {
 
 // In frames of layer 0: about a second.
 constexpr std::uint8_t kImprovements = 16;
+// The same for a still block that is coded again.
+constexpr std::uint8_t kStillImprovements = 2;
 
 bool any_changed(MaskView changed, int block_x, int block_y) {
   for (int y = 2 * block_y; y < std::min(2 * block_y + 2, changed.height); ++y) {
@@ -26,6 +28,7 @@ MaskView ColorActivity::update(MaskView changed, FrameRole role) {
     active_.resize(wide, high, 1);
     improvements_left_.resize(wide, high, 0);
   }
+  if (role.layer == 0) improve_next_band();
   for (int y = 0; y < high; ++y) {
     for (int x = 0; x < wide; ++x) {
       const bool fresh = role.key || any_changed(changed, x, y);
@@ -40,6 +43,19 @@ MaskView ColorActivity::update(MaskView changed, FrameRole role) {
     }
   }
   return active_;
+}
+
+void ColorActivity::improve_next_band() {
+  if (!is_improving()) return;
+  const int high = improvements_left_.height();
+  const int from = high * next_band_ / kBands, to = high * (next_band_ + 1) / kBands;
+  for (int y = from; y < to; ++y) {
+    for (int x = 0; x < improvements_left_.width(); ++x) {
+      std::uint8_t& left = improvements_left_.at(x, y);
+      left = std::max(left, kStillImprovements);
+    }
+  }
+  ++next_band_;
 }
 
 }  // namespace roomcast::codec

@@ -2,7 +2,8 @@
 // Selects the 16x16 blocks of a colour picture to spend bits on in a frame. A frame of layer 1 or
 // up codes only blocks that changed since the layer-0 frame that it depends on: any other
 // improvement would be lost with the frame. A layer-0 frame also codes blocks that changed lately,
-// until they have the quantiser's quality. Single-threaded.
+// until they have the quantiser's quality. When the quantiser has become finer, still blocks can be
+// coded again, a band of the picture in each layer-0 frame. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,8 @@ namespace roomcast::codec {
 
 class ColorActivity {
  public:
-  static constexpr int kSide = 16;  // of a block, pixels
+  static constexpr int kSide = 16;   // of a block, pixels
+  static constexpr int kBands = 12;  // of rows of blocks
 
   /// Takes the next frame. `changed` has one entry for each 8x8 pixels, not 0 where the picture
   /// differs from the newest frame of layer 0. Returns one entry for each 16x16 pixels, 1 where the
@@ -22,9 +24,17 @@ class ColorActivity {
   /// key frame's.
   MaskView update(MaskView changed, FrameRole role);
 
+  /// All still blocks are coded again, in the next kBands frames of layer 0.
+  void improve_still_blocks() { next_band_ = 0; }
+  /// Whether that is still going on.
+  [[nodiscard]] bool is_improving() const { return next_band_ < kBands; }
+
  private:
+  void improve_next_band();
+
   Image<std::uint8_t> active_;
   Image<std::uint8_t> improvements_left_;  // per block: layer-0 frames that may still improve it
+  int next_band_ = kBands;
 };
 
 }  // namespace roomcast::codec

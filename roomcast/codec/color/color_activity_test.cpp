@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/codec/color/color_activity.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace roomcast::codec {
@@ -63,6 +65,23 @@ TEST(ColorActivity, changes_are_active_in_any_layer_and_improved_for_a_while) {
   EXPECT_EQ(count(activity.update(kNothing, kBase)), 1);
   come_to_rest(activity);
   EXPECT_EQ(count(activity.update(kNothing, kBase)), 0);
+}
+
+TEST(ColorActivity, still_blocks_are_improved_band_by_band) {
+  ColorActivity activity;
+  activity.update(kNothing, kKey);
+  come_to_rest(activity);
+  activity.improve_still_blocks();
+  int improved = 0, most = 0;
+  for (int i = 0; i < 2 * ColorActivity::kBands; ++i) {
+    EXPECT_EQ(count(activity.update(kNothing, kUpper)), 0);
+    const int active = count(activity.update(kNothing, kBase));
+    improved += active;
+    most = std::max(most, active);
+  }
+  EXPECT_EQ(improved, 2 * 6) << "every block twice";
+  EXPECT_LT(most, 6) << "not all in one frame";
+  EXPECT_FALSE(activity.is_improving());
 }
 
 }  // namespace

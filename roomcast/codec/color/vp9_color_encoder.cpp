@@ -19,6 +19,7 @@ constexpr unsigned kMaxQuantizer = 56;
 // of the stream; there they are coarser, and no frame between them is finer.
 constexpr unsigned kFineQuantizer = 10, kCalmQuantizer = 20;
 constexpr double kCalmShare = 0.5;       // of the rate; a calm room uses less between key frames
+constexpr int kFinerByNow = 6;           // quantisers at which still blocks are coded again
 constexpr int kCyclicRefresh = 3;        // spreads the quality of still parts over frames
 constexpr int kMaxKeyFrameShare = 4000;  // percent of the bits of an average frame
 constexpr unsigned kBaseLayerPercent = 70;
@@ -155,6 +156,7 @@ Status Vp9ColorEncoder::encode(ColorView color, MaskView seen, FrameRole role,
   if (droppable) flags |= kLeavesNoTrace;
   if (options_.temporal_layers > 1) set_layer(droppable);
   if (role.key) choose_quality();
+  refine_still_blocks(role);
   if (!limit_quantizer(role)) {
     return Error{ErrorCode::kUnavailable, "libvpx refused a limit of the colour quantiser."};
   }
@@ -205,9 +207,22 @@ void Vp9ColorEncoder::choose_quality() {
   bytes_since_key_ = 0;
 }
 
+// What stands still keeps the quality of the frames that coded it last. With a fixed quantiser it
+// is coded again once the quantiser has become noticeably finer.
+void Vp9ColorEncoder::refine_still_blocks(FrameRole role) {
+  if (!fixed_quantizer_ || role.layer > 0) return;
+  if (role.key) {
+    still_quantizer_ = *fixed_quantizer_;
+  } else if (!activity_.is_improving() && *fixed_quantizer_ <= still_quantizer_ - kFinerByNow) {
+    activity_.improve_still_blocks();
+    still_quantizer_ = *fixed_quantizer_;
+  }
+}
+
 bool Vp9ColorEncoder::limit_quantizer(FrameRole role) {
-  const unsigned least = role.key ? key_quantizer_ : kCalmQuantizer;
-  const unsigned most = role.key ? key_quantizer_ : kMaxQuantizer;
+  unsigned least = role.key ? key_quantizer_ : kCalmQuantizer;
+  unsigned most = role.key ? key_quantizer_ : kMaxQuantizer;
+  if (fixed_quantizer_) least = most = static_cast<unsigned>(*fixed_quantizer_);
   vpx_codec_enc_cfg_t& config = codec_->config;
   if (config.rc_min_quantizer == least && config.rc_max_quantizer == most) return true;
   config.rc_min_quantizer = least;

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "roomcast/codec/color/color_activity.h"
@@ -29,6 +30,10 @@ class Vp9ColorEncoder {
   [[nodiscard]] Status encode(ColorView color, MaskView seen, FrameRole role,
                               std::vector<std::uint8_t>& out);
 
+  /// Fixes the quantiser of the next frames, 0 to 63; the rate then has no effect. Nothing: libvpx
+  /// chooses it by the rate.
+  void fix_quantizer(std::optional<int> quantizer) { fixed_quantizer_ = quantizer; }
+
   /// Sets the rate from the next frame on, as FrameEncoderOptions.color_kbit_per_s. kUnavailable if
   /// libvpx refuses.
   [[nodiscard]] Status set_rate(int kbit_per_s);
@@ -39,6 +44,7 @@ class Vp9ColorEncoder {
   void remember_seen();
   void fill_never_seen();
   void choose_quality();
+  void refine_still_blocks(FrameRole role);
   [[nodiscard]] bool limit_quantizer(FrameRole role);
   void set_layer(bool droppable);
   void take_packets(std::vector<std::uint8_t>& out);
@@ -56,6 +62,8 @@ class Vp9ColorEncoder {
   std::int64_t key_at_ = 0;          // frame_count_ of the newest key frame
   std::size_t bytes_since_key_ = 0;  // without the key frame's own
   unsigned key_quantizer_;           // for the next key frame
+  std::optional<int> fixed_quantizer_;
+  int still_quantizer_ = 0;  // that still blocks were coded with, if it is fixed
 };
 
 }  // namespace roomcast::codec

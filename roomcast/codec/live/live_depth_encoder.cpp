@@ -70,6 +70,11 @@ void LiveDepthEncoder::encode(DepthView depth_mm, FrameRole role, std::vector<st
   started_ = true;
 }
 
+void LiveDepthEncoder::set_steps(int step, int key_step) {
+  options_.step = step;
+  options_.key_step = key_step;
+}
+
 // Clears the state as decoders do, and converts the encoder's own memory to the new scale of
 // levels.
 void LiveDepthEncoder::begin_anew(const SigmaCodes& sigma) {

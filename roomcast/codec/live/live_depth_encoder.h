@@ -35,6 +35,9 @@ class LiveDepthEncoder {
   /// key frame's; frames of layer 1 and up are not references.
   void encode(DepthView depth_mm, FrameRole role, std::vector<std::uint8_t>& out);
 
+  /// Sets the quantisers from the next frame on, in levels; LiveDepthOptions.
+  void set_steps(int step, int key_step);
+
   /// The last frame as decoders show it.
   [[nodiscard]] DepthView shown_mm() const;
   [[nodiscard]] const LiveState& state() const { return state_; }
