@@ -6,8 +6,8 @@
 namespace roomcast::client {
 namespace {
 
-constexpr codec::EncodedFrameInfo kKeyFrame{.key = true, .layer = 0}, kBaseFrame{.key = false, .layer = 0},
-    kDroppableFrame{.key = false, .layer = 1};
+constexpr codec::EncodedFrameInfo kKeyFrame{.key = true, .layer = 0},
+    kBaseFrame{.key = false, .layer = 0}, kDroppableFrame{.key = false, .layer = 1};
 
 TEST(FrameSequence, a_session_begins_with_a_key_frame) {
   FrameSequence sequence;

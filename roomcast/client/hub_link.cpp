@@ -57,6 +57,7 @@ class HubLink::Connection final : public net::ConnectionHandler {
   void send(const pb::Control& control) {
     if (control_.size() >= wire::kMaxQueuedControlMessages) return;
     control_.push_back(framed_control(control));
+    if (link_ != nullptr) link_->control_bytes_ += control_.back()->size();
     wake();
   }
   void wake() {
@@ -83,6 +84,7 @@ HubLink::HubLink(boost::asio::io_context& io, std::vector<net::HubUrl> hubs, pb:
       join_(std::move(join)),
       events_(events),
       timings_(options.timings),
+      pace_(options.pace),
       retry_timer_(io),
       ping_timer_(io),
       ping_schedule_(options.pings.value_or(join_.has_sensor() ? PingSchedule::kOfSensor
@@ -126,6 +128,10 @@ void HubLink::connect() {
   net::ClientOptions options;
   options.max_message_bytes = wire::kMaxFrameBytes;
   options.timings = timings();
+  if (pace_) {
+    options.max_segment_bytes = pace_->segment_bytes;
+    options.pace_bytes_per_s = pace_->payload_bytes_per_s;
+  }
   const auto hubs = hubs_.to_try();
   unanswered_ = hubs.size();
   for (const net::HubUrl& hub : hubs) {

@@ -6,6 +6,8 @@
 // runs it.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -21,6 +23,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/core/result.h"
 #include "roomcast/net/hub_url.h"
+#include "roomcast/net/socket_tuning.h"
 #include "roomcast/net/timer.h"
 #include "roomcast/net/websocket_client.h"
 #include "roomcast/wire/control.pb.h"
@@ -63,6 +66,7 @@ class HubLink {
   struct Options {
     std::optional<net::ConnectionTimings> timings = {};  // override the above
     std::optional<PingSchedule::Rhythm> pings = {};      // overrides that of the role
+    std::optional<net::Pace> pace = {};                  // of what is sent
   };
 
   /// At least one hub.
@@ -82,6 +86,8 @@ class HubLink {
   void wake();
   /// Dropped if there is no connection, or if too many messages are queued.
   void send(const wire::pb::Control& message);
+  /// Bytes of all messages that were sent besides frames. Thread-safe.
+  [[nodiscard]] std::uint64_t control_bytes() const { return control_bytes_; }
 
  private:
   class Connection;
@@ -110,6 +116,8 @@ class HubLink {
   wire::pb::Join join_;
   HubLinkEvents& events_;
   const std::optional<net::ConnectionTimings> timings_;
+  const std::optional<net::Pace> pace_;
+  std::atomic<std::uint64_t> control_bytes_{0};
   SteadyClock clock_;
   ClockSync clock_sync_;
   std::shared_ptr<Connection> connection_;                      // null without a connection

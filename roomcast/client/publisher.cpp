@@ -52,7 +52,8 @@ class Publisher::Link final : public HubLinkEvents {
  public:
   Link(std::vector<net::HubUrl> hubs, PublisherOptions options)
       : options_(std::move(options)),
-        link_(network_.io(), std::move(hubs), join_message(options_), *this) {
+        link_(network_.io(), std::move(hubs), join_message(options_), *this,
+              {.pace = options_.pace}) {
     link_.start();
     network_.start();
   }
@@ -136,6 +137,8 @@ class Publisher::Link final : public HubLinkEvents {
     if (!shared_.clock) return std::nullopt;
     return shared_.clock->room_time(time);
   }
+
+  std::uint64_t control_bytes() const { return link_.control_bytes(); }
 
   std::optional<Error> failure() const {
     std::lock_guard lock(mutex_);
@@ -378,6 +381,9 @@ std::optional<RoomTime> Publisher::room_time(HostTime time) const {
   return link_->room_time(time);
 }
 
+std::uint64_t Publisher::control_bytes() const {
+  return link_->control_bytes();
+}
 std::optional<Error> Publisher::failure() const {
   return link_->failure();
 }

@@ -21,6 +21,7 @@
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/net/message_buffer.h"
+#include "roomcast/net/socket_tuning.h"
 #include "roomcast/wire/control.pb.h"
 
 namespace roomcast::client {
@@ -33,8 +34,9 @@ struct PublisherOptions {
   SensorCalibration calibration;
   std::optional<RigidTransform> world_from_depth;
   double fps = 30;
-  bool send_unwatched = false;  // frames are wanted while nobody watches, too
-  bool wait_for_hub = false;    // keep trying if there is no hub at first; else open() fails
+  bool send_unwatched = false;         // frames are wanted while nobody watches, too
+  std::optional<net::Pace> pace = {};  // of what is sent; nothing: as the network allows
+  bool wait_for_hub = false;           // keep trying if there is no hub at first; else open() fails
   LogSink log;
   std::stop_token stop = {};  // ends the wait of open() for the hub
 };
@@ -106,6 +108,9 @@ class Publisher {
   void send_sightings(wire::pb::Sightings sightings);
   /// Converts to room time; nothing while room time is not known.
   [[nodiscard]] std::optional<RoomTime> room_time(HostTime time) const;
+
+  /// Bytes of all that was sent besides frames. Thread-safe.
+  [[nodiscard]] std::uint64_t control_bytes() const;
 
   /// The reason why the connection ended for good, once it has. Thread-safe, as are the next two.
   [[nodiscard]] std::optional<Error> failure() const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/net/socket_tuning.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <string_view>
 
 #include <netinet/in.h>
@@ -20,6 +22,25 @@ void tune_for_live_streams(boost::asio::ip::tcp::socket& socket) {
   constexpr std::string_view kCongestionControl = "bbr";
   (void)::setsockopt(fd, IPPROTO_TCP, TCP_CONGESTION, kCongestionControl.data(),
                      static_cast<socklen_t>(kCongestionControl.size()));
+}
+
+Pace pace_for(double line_bytes_per_s) {
+  constexpr double kMinSegment = 536, kMaxSegment = 1448, kSegmentsPerSecond = 60;
+  constexpr double kHeaders = 20 + 20 + 12;  // IPv4, TCP, TCP's time stamps
+  const double segment =
+      std::clamp(line_bytes_per_s / kSegmentsPerSecond, kMinSegment, kMaxSegment);
+  return {static_cast<int>(segment), line_bytes_per_s * segment / (segment + kHeaders)};
+}
+
+void limit_segments(boost::asio::ip::tcp::socket& socket, int segment_bytes) {
+  constexpr int kTimeStamps = 12;  // TCP_MAXSEG counts them
+  const int bytes = segment_bytes + kTimeStamps;
+  (void)::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_MAXSEG, &bytes, sizeof(bytes));
+}
+
+void set_pace(boost::asio::ip::tcp::socket& socket, double payload_bytes_per_s) {
+  const auto pace = static_cast<std::uint32_t>(std::clamp(payload_bytes_per_s, 1'000.0, 4e9));
+  (void)::setsockopt(socket.native_handle(), SOL_SOCKET, SO_MAX_PACING_RATE, &pace, sizeof(pace));
 }
 
 bool is_writable_now(boost::asio::ip::tcp::socket& socket) {

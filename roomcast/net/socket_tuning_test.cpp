@@ -31,6 +31,39 @@ TEST_F(SocketTuningTest, sets_the_options_of_live_streams) {
   EXPECT_EQ(option(sockets.ours, TCP_NOTSENT_LOWAT), kMaxUnsentBytes);
 }
 
+TEST_F(SocketTuningTest, segments_of_a_slow_line_are_small_and_its_headers_are_counted) {
+  const Pace slow = pace_for(12'500), usual = pace_for(60'000), fast = pace_for(2'500'000);
+  EXPECT_EQ(slow.segment_bytes, 536);
+  EXPECT_EQ(usual.segment_bytes, 1'000);
+  EXPECT_EQ(fast.segment_bytes, 1'448);
+  for (const Pace& pace : {slow, usual, fast})
+    EXPECT_GT(pace.payload_bytes_per_s, 536 / 588.0 * 12'500 - 1);
+  EXPECT_NEAR(usual.payload_bytes_per_s * (1'000 + 52) / 1'000, 60'000, 1);
+}
+
+TEST_F(SocketTuningTest, the_kernel_paces_what_a_socket_sends) {
+  auto sockets = connected_sockets();
+  set_pace(sockets.ours, 20'000);
+  std::uint32_t pace = 0;
+  socklen_t size = sizeof(pace);
+  ASSERT_EQ(
+      ::getsockopt(sockets.ours.native_handle(), SOL_SOCKET, SO_MAX_PACING_RATE, &pace, &size), 0);
+  EXPECT_EQ(pace, 20'000u);
+}
+
+TEST_F(SocketTuningTest, segments_are_limited_before_connecting) {
+  auto acceptor = Tcp::acceptor(io_, {boost::asio::ip::address_v4::loopback(), 0});
+  Tcp::socket socket(io_);
+  socket.open(Tcp::v4());
+  limit_segments(socket, 536);
+  socket.connect(acceptor.local_endpoint());
+  const Tcp::socket peer = acceptor.accept();
+  tcp_info info{};
+  socklen_t size = sizeof(info);
+  ASSERT_EQ(::getsockopt(socket.native_handle(), IPPROTO_TCP, TCP_INFO, &info, &size), 0);
+  EXPECT_EQ(info.tcpi_snd_mss, 536u);
+}
+
 TEST_F(SocketTuningTest, a_closed_socket_is_left_alone) {
   Tcp::socket closed(io_);
   tune_for_live_streams(closed);

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <utility>
 
-#include <boost/asio/connect.hpp>
 #include <boost/asio/error.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
@@ -20,6 +19,7 @@
 #include <boost/beast/http/write.hpp>
 
 #include "roomcast/net/host_lookup.h"
+#include "roomcast/net/socket_tuning.h"
 #include "roomcast/net/stream.h"
 #include "roomcast/net/tls/tls_context.h"
 #include "roomcast/net/websocket_handshake.h"
@@ -56,6 +56,7 @@ class Attempt final : public ConnectAttempt, public std::enable_shared_from_this
   void resolve();
   void on_resolved(SystemError error, const Tcp::resolver::results_type& endpoints);
   void connect_to(const Tcp::resolver::results_type& endpoints);
+  void connect_to_next(SystemError last_error);
   void on_connected(SystemError error);
   void encrypt();
   void on_encrypted(SystemError error);
@@ -79,6 +80,8 @@ class Attempt final : public ConnectAttempt, public std::enable_shared_from_this
   asio::steady_timer deadline_;
   Tcp::socket socket_;            // while connecting...
   std::optional<Stream> stream_;  // ...and afterwards
+  Tcp::resolver::results_type endpoints_;
+  Tcp::resolver::results_type::const_iterator next_endpoint_;
   HubUrl url_;
   std::string where_;
   ClientOptions options_;
@@ -114,8 +117,25 @@ void Attempt::on_resolved(SystemError error, const Tcp::resolver::results_type& 
 }
 
 void Attempt::connect_to(const Tcp::resolver::results_type& endpoints) {
-  asio::async_connect(socket_, endpoints,
-                      then([](Attempt& self, SystemError error) { self.on_connected(error); }));
+  endpoints_ = endpoints;
+  next_endpoint_ = endpoints_.begin();
+  connect_to_next(asio::error::host_not_found);
+}
+
+// Not asio::async_connect, which opens the sockets itself: the size of segments must be set between
+// opening and connecting.
+void Attempt::connect_to_next(SystemError last_error) {
+  if (next_endpoint_ == endpoints_.end()) return on_connected(last_error);
+  const Tcp::endpoint endpoint = *next_endpoint_++;
+  SystemError error;
+  socket_.close(error);
+  socket_.open(endpoint.protocol(), error);
+  if (error) return connect_to_next(error);
+  if (options_.max_segment_bytes > 0) limit_segments(socket_, options_.max_segment_bytes);
+  if (options_.pace_bytes_per_s > 0) set_pace(socket_, options_.pace_bytes_per_s);
+  socket_.async_connect(endpoint, then([](Attempt& self, SystemError failure) {
+                          failure ? self.connect_to_next(failure) : self.on_connected({});
+                        }));
 }
 
 void Attempt::on_connected(SystemError error) {

@@ -24,6 +24,8 @@ struct ClientOptions {
   std::size_t max_message_bytes = std::size_t{2} << 20;
   std::chrono::milliseconds connect_within{5'000};  // name, TCP and handshakes together
   ConnectionTimings timings = {};
+  int max_segment_bytes = 0;    // of TCP; 0: as the network allows
+  double pace_bytes_per_s = 0;  // of what TCP carries; 0: as fast as the network allows
 };
 
 /// Called once, never from within connect(). The connection is open and must be started by start().
