@@ -13,7 +13,7 @@
 
 namespace roomcast::cli {
 
-/// Adds --codec, --bound-mm, --layers, --color-scale and --color-kbit.
+/// Adds --codec, --bound-mm, --layers, --color-scale, --color-kbit and --mbit.
 inline void add_codec_options(CLI::App& command, sensor::CodecChoice& choice) {
   const std::map<std::string, codec::DepthMode> modes = {
       {"live", codec::DepthMode::kLive},
@@ -43,6 +43,11 @@ inline void add_codec_options(CLI::App& command, sensor::CodecChoice& choice) {
       .add_option("--color-kbit", choice.color_kbit_per_s, "Bit rate of the colour stream, kbit/s")
       ->check(within(50, 20'000))
       ->default_str("790, or 1000 with --color-scale 2");
+  command
+      .add_option("--mbit", choice.target_mbit_per_s,
+                  "Send so many Mbit/s, never more: depth and colour become coarser or finer, "
+                  "then frames fewer (default: a fixed quality)")
+      ->check(within(sensor::kMinTargetMbit, sensor::kMaxTargetMbit));
 }
 
 }  // namespace roomcast::cli

@@ -3,15 +3,31 @@
 #pragma once
 
 #include "roomcast/codec/frame_codec.h"
+#include "roomcast/core/result.h"
 
 namespace roomcast::sensor {
+
+/// Legal range of a stream's target rate, Mbit/s.
+inline constexpr double kMinTargetMbit = 0.1, kMaxTargetMbit = 100;
 
 struct CodecChoice {
   codec::DepthMode depth_mode = codec::DepthMode::kLive;
   int depth_bound_mm = 2;
   int layers = 2;
   int color_scale = 1;
-  int color_kbit_per_s = 0;  // 0: the default bit rate
+  int color_kbit_per_s = 0;      // 0: the default bit rate
+  double target_mbit_per_s = 0;  // of the whole stream on its line, with headers of TCP and IP; 0:
+                                 // none, the quality is fixed. Live mode only
+
+  /// kInvalidArgument: the target is out of its range, or not for this mode.
+  [[nodiscard]] Status check() const {
+    if (target_mbit_per_s == 0) return {};
+    if (depth_mode != codec::DepthMode::kLive) {
+      return invalid_argument("a target rate needs live depth: exact depth takes what it takes");
+    }
+    if (target_mbit_per_s >= kMinTargetMbit && target_mbit_per_s <= kMaxTargetMbit) return {};
+    return invalid_argument("a target rate is from 0.1 to 100 Mbit/s");
+  }
 
   [[nodiscard]] int color_kbit() const {
     if (color_kbit_per_s > 0) return color_kbit_per_s;

@@ -7,6 +7,9 @@
 namespace roomcast::sensor {
 namespace {
 
+/// RateControl asks for key frames earlier.
+constexpr double kKeyIntervalWithTarget_s = 3600;
+
 codec::FrameEncoderOptions encoder_options(const client::PublisherOptions& sensor,
                                            const CodecChoice& codec) {
   codec::FrameEncoderOptions options;
@@ -18,19 +21,28 @@ codec::FrameEncoderOptions encoder_options(const client::PublisherOptions& senso
   options.color_kbit_per_s = codec.color_kbit();
   options.temporal_layers = codec.layers;
   options.depth_mode = codec.depth_mode;
+  if (codec.target_mbit_per_s > 0) options.key_interval_s = kKeyIntervalWithTarget_s;
   return options;
+}
+
+/// On a line that does not carry the target rate.
+codec::FrameTarget share_of(const codec::FrameTarget& target, double share) {
+  return {share * target.bytes, share * target.key_bytes};
 }
 
 }  // namespace
 
 FrameSender::FrameSender(HoleRegistration registration,
-                         std::unique_ptr<codec::FrameEncoder> encoder, int color_kbit_per_s)
+                         std::unique_ptr<codec::FrameEncoder> encoder, int color_kbit_per_s,
+                         std::optional<RateControl> rate)
     : registration_(std::move(registration)),
       encoder_(std::move(encoder)),
-      full_color_kbit_per_s_(color_kbit_per_s) {}
+      full_color_kbit_per_s_(color_kbit_per_s),
+      rate_(std::move(rate)) {}
 
 Result<std::unique_ptr<FrameSender>> FrameSender::open(client::PublisherOptions options,
                                                        const CodecChoice& codec) {
+  if (auto status = codec.check(); !status) return status.error();
   const codec::FrameEncoderOptions encoding = encoder_options(options, codec);
   if (auto status = encoding.check(); !status) return status.error();  // before memory is taken
   auto registration =
@@ -38,8 +50,15 @@ Result<std::unique_ptr<FrameSender>> FrameSender::open(client::PublisherOptions 
   if (!registration) return registration.error();
   auto encoder = codec::FrameEncoder::create(encoding);
   if (!encoder) return encoder.error();
-  std::unique_ptr<FrameSender> sender(
-      new FrameSender(std::move(*registration), std::move(*encoder), codec.color_kbit()));
+  std::optional<RateControl> rate;
+  if (codec.target_mbit_per_s > 0) {
+    net::Pace pace = net::pace_for(codec.target_mbit_per_s * 1e6 / 8);
+    rate.emplace(RateControl::Options{pace.payload_bytes_per_s, options.fps});
+    pace.payload_bytes_per_s *= RateControl::kPaceMargin;
+    options.pace = pace;
+  }
+  std::unique_ptr<FrameSender> sender(new FrameSender(std::move(*registration), std::move(*encoder),
+                                                      codec.color_kbit(), std::move(rate)));
   auto publisher = client::Publisher::open(std::move(options));
   if (!publisher) return publisher.error();
   sender->publisher_ = std::move(*publisher);
@@ -51,16 +70,24 @@ Result<std::optional<client::Publisher::Published>> FrameSender::send(DepthView 
                                                                       HostTime capture_time) {
   using Sent = std::optional<client::Publisher::Published>;
   if (!publisher_->frames_wanted()) return Sent();
+  std::optional<RateControl::Plan> plan;
+  if (rate_) {
+    plan = rate_->next_frame(capture_time, publisher_->control_bytes());
+    if (!plan) return Sent();
+  }
   const auto turn = publisher_->next_turn();
   if (!turn) return Sent();
   follow_network(turn->rate_share);
+  if (plan) encoder_->set_target(share_of(plan->target, turn->rate_share));
   if (auto status = register_color(depth_mm, color); !status) return status.error();
   auto message = client::Publisher::begin_frame();
-  const auto info = encoder_->encode(depth_mm, registered_.color, known_colors(), turn->want_key,
-                                     message.appendable());
+  const bool want_key = turn->want_key || (plan && plan->wants_key);
+  const auto info =
+      encoder_->encode(depth_mm, registered_.color, known_colors(), want_key, message.appendable());
   if (!info) return info.error();
   const std::size_t bytes = message.payload().size();
   const bool fits = client::Publisher::fits(message);
+  if (rate_) rate_->sent(bytes, *info);
   const Sent sent = publisher_->publish(*turn, *info, capture_time, std::move(message));
   if (fits) return sent;
   return Error{ErrorCode::kTooLarge,

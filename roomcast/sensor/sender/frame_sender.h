@@ -14,20 +14,21 @@
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/hole_registration.h"
 #include "roomcast/sensor/sender/codec_choice.h"
+#include "roomcast/sensor/sender/rate_control.h"
 
 namespace roomcast::sensor {
 
 class FrameSender {
  public:
-  /// Joins the hub. Errors: those of HoleRegistration::create, of the encoder's options, and of
-  /// Publisher::open.
+  /// Joins the hub. Errors: those of CodecChoice::check, of HoleRegistration::create, of the
+  /// encoder's options, and of Publisher::open. With a target rate it replaces options.pace.
   static Result<std::unique_ptr<FrameSender>> open(client::PublisherOptions options,
                                                    const CodecChoice& codec);
 
   /// Sends a frame whose sizes are those of the calibration; `color` may be empty: none in this
   /// frame. Nothing: the frame was skipped (nobody watches, no connection, room time not known yet,
-  /// or earlier frames are unsent). kInvalidArgument: a size is wrong. kTooLarge: the encoded frame
-  /// exceeds the wire's limit; later frames may be sent.
+  /// earlier frames are unsent, or the target rate allows fewer frames). kInvalidArgument: a size
+  /// is wrong. kTooLarge: the encoded frame exceeds the wire's limit; later frames may be sent.
   Result<std::optional<client::Publisher::Published>> send(DepthView depth_mm, ColorView color,
                                                            HostTime capture_time);
 
@@ -42,7 +43,7 @@ class FrameSender {
 
  private:
   FrameSender(HoleRegistration registration, std::unique_ptr<codec::FrameEncoder> encoder,
-              int color_kbit_per_s);
+              int color_kbit_per_s, std::optional<RateControl> rate);
   void follow_network(double rate_share);
   [[nodiscard]] Status register_color(DepthView depth_mm, ColorView color);
   [[nodiscard]] MaskView known_colors() const;
@@ -50,7 +51,8 @@ class FrameSender {
   HoleRegistration registration_;
   std::unique_ptr<codec::FrameEncoder> encoder_;
   const int full_color_kbit_per_s_;
-  double rate_share_ = 1;  // the share that the encoder was set to
+  std::optional<RateControl> rate_;  // with a target rate
+  double rate_share_ = 1;            // the share that the encoder was set to
   RegisteredColor registered_;
   std::unique_ptr<client::Publisher> publisher_;  // last: destroyed before what it sends
 };

@@ -2,6 +2,7 @@
 #include "roomcast/sensor/sender/frame_sender.h"
 
 #include <chrono>
+#include <limits>
 #include <optional>
 #include <random>
 #include <thread>
@@ -57,6 +58,38 @@ class FrameSenderTest : public testing::Test {
   client::NetworkThread network;
   std::optional<client::FakeHub> hub{std::in_place, network.io()};
 };
+
+TEST_F(FrameSenderTest, a_target_rate_needs_live_depth_and_a_sensible_number) {
+  const auto exact =
+      FrameSender::open(sensor_of(hub->url(), 64, 48),
+                        {.depth_mode = codec::DepthMode::kLossless, .target_mbit_per_s = 2});
+  ASSERT_FALSE(exact.ok());
+  EXPECT_EQ(exact.error().code, ErrorCode::kInvalidArgument);
+  for (const double mbit : {-1.0, 0.01, 1e6, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_FALSE(FrameSender::open(sensor_of(hub->url(), 64, 48), {.target_mbit_per_s = mbit}).ok())
+        << mbit;
+}
+
+TEST_F(FrameSenderTest, with_a_target_rate_fewer_frames_are_sent_than_would_fit_otherwise) {
+  auto options = sensor_of(hub->url(), 320, 240);
+  auto sender = FrameSender::open(options, {.target_mbit_per_s = 0.1});
+  ASSERT_TRUE(sender.ok()) << sender.error().message;
+  std::minstd_rand random(3);
+  DepthImage noise(320, 240);
+  std::size_t bytes = 0;
+  const auto began = SteadyClock().now();
+  for (int i = 0; i < 60; ++i) {
+    for (std::size_t k = 0; k < noise.view().pixel_count(); ++k)
+      noise.data()[k] = static_cast<std::uint16_t>(500 + random() % 4'000);
+    (void)(*sender)->send(noise, {}, SteadyClock().now());
+    std::this_thread::sleep_for(33ms);
+  }
+  bytes = (*sender)->publisher().stats().bytes_sent;
+  const std::chrono::duration<double> seconds = SteadyClock().now() - began;
+  const auto sent = (*sender)->publisher().stats().frames_sent;
+  EXPECT_GT(sent, 0u);
+  EXPECT_LT(sent, 8u) << bytes << " bytes in " << seconds.count() << " s";
+}
 
 TEST_F(FrameSenderTest, a_frame_is_registered_encoded_and_published) {
   const auto sender = open(64, 48);
