@@ -11,9 +11,9 @@ namespace roomcast::bench {
 namespace {
 
 Result<std::vector<Candidate>> make_candidates(const BenchPicture& picture, bool has_color,
-                                               const std::string& only) {
+                                               const CodecBenchOptions& options) {
   std::vector<Candidate> candidates;
-  for (CodecChoice& choice : codec_choices(only)) {
+  for (CodecChoice& choice : codec_choices(options.only, options.target_mbit)) {
     if (choice.needs_color && !has_color) continue;
     auto made = choice.make(picture);
     if (made.ok()) {
@@ -23,7 +23,8 @@ Result<std::vector<Candidate>> make_candidates(const BenchPicture& picture, bool
     }
   }
   if (candidates.empty()) {
-    return Error{ErrorCode::kInvalidArgument, "No codec or mode is called \"" + only + "\"."};
+    return Error{ErrorCode::kInvalidArgument,
+                 "No codec or mode is called \"" + options.only + "\"."};
   }
   return candidates;
 }
@@ -113,7 +114,7 @@ class CodecBench {
     report_.height = frame.depth_mm.height();
     auto made =
         make_candidates({report_.width, report_.height, report_.fps, options_.color_kbit_per_s},
-                        !frame.color.empty(), options_.only);
+                        !frame.color.empty(), options_);
     if (!made.ok()) return made.error();
     candidates_ = std::move(*made);
     return {};

@@ -26,6 +26,7 @@ struct CodecBenchOptions {
   std::string only;                               // a codec or a mode; empty: all
   int color_kbit_per_s = codec::kUsualColorKbit;  // for colour codecs with rate control
   int most_frames = 300;
+  std::vector<double> target_mbit = {};  // rates of additional rows
   double warm_up_s = 1;
   double key_every_s = 4;
 };

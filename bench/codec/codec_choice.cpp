@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "bench/codec/peers/peers.h"
 #include "bench/codec/roomcast_codec.h"
 
@@ -16,9 +18,20 @@ CodecChoice near_lossless(int bound_mm) {
           }};
 }
 
+CodecChoice at_rate(double mbit_per_s) {
+  return {"roomcast",
+          fmt::format("live+color at {:g} Mbit/s", mbit_per_s),
+          true,
+          {},
+          [mbit_per_s](const BenchPicture& picture) {
+            return make_roomcast_live_at_rate(picture, mbit_per_s);
+          }};
+}
+
 }  // namespace
 
-std::vector<CodecChoice> codec_choices(const std::string& only) {
+std::vector<CodecChoice> codec_choices(const std::string& only,
+                                       const std::vector<double>& target_mbit) {
   std::vector<CodecChoice> choices = {
       {"raw", "lossless", false, 0, make_raw},
       {"gzip", "lossless", false, 0, make_gzip},
@@ -37,10 +50,11 @@ std::vector<CodecChoice> codec_choices(const std::string& only) {
       {"roomcast", "color", true, {}, make_roomcast_color},
       {"roomcast", "live+color", true, {}, make_roomcast_live_with_color},
   };
+  for (const double mbit : target_mbit) choices.push_back(at_rate(mbit));
   if (only.empty()) return choices;
   choices.erase(std::remove_if(choices.begin(), choices.end(),
                                [&](const CodecChoice& choice) {
-                                 return choice.codec != only && choice.mode != only;
+                                 return choice.codec != only && !choice.mode.starts_with(only);
                                }),
                 choices.end());
   return choices;

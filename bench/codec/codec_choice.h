@@ -19,7 +19,9 @@ struct CodecChoice {
   std::function<Result<std::unique_ptr<CodecUnderTest>>(const BenchPicture&)> make;
 };
 
-/// All codecs, or those whose codec or mode is `only`.
-[[nodiscard]] std::vector<CodecChoice> codec_choices(const std::string& only = "");
+/// All codecs, or those whose codec is `only` or whose mode begins with it. Besides fixed qualities
+/// those with the given target rates, in Mbit/s: "live+color at 2 Mbit/s".
+[[nodiscard]] std::vector<CodecChoice> codec_choices(const std::string& only = "",
+                                                     const std::vector<double>& target_mbit = {});
 
 }  // namespace roomcast::bench

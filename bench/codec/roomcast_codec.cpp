@@ -101,9 +101,11 @@ class RoomcastColor final : public CodecUnderTest {
 };
 
 Result<std::unique_ptr<CodecUnderTest>> make_frames(const codec::FrameEncoderOptions& options,
-                                                    bool with_color) {
+                                                    bool with_color,
+                                                    const codec::FrameTarget& target = {}) {
   auto encoder = codec::FrameEncoder::create(options);
   if (!encoder.ok()) return encoder.error();
+  (*encoder)->set_target(target);
   auto decoder = codec::FrameDecoder::create(options.width, options.height);
   if (!decoder.ok()) return decoder.error();
   return std::unique_ptr<CodecUnderTest>(
@@ -129,6 +131,14 @@ Result<std::unique_ptr<CodecUnderTest>> make_roomcast_live(const BenchPicture& p
 
 Result<std::unique_ptr<CodecUnderTest>> make_roomcast_live_with_color(const BenchPicture& picture) {
   return make_frames(options_for(picture, codec::DepthMode::kLive), true);
+}
+
+Result<std::unique_ptr<CodecUnderTest>> make_roomcast_live_at_rate(const BenchPicture& picture,
+                                                                   double mbit_per_s) {
+  constexpr double kKeyCost_s = 0.3;  // RateControl's
+  const double bytes_per_s = mbit_per_s * 1e6 / 8;
+  return make_frames(options_for(picture, codec::DepthMode::kLive), true,
+                     {bytes_per_s / picture.fps, kKeyCost_s * bytes_per_s});
 }
 
 Result<std::unique_ptr<CodecUnderTest>> make_roomcast_color(const BenchPicture& picture) {

@@ -19,6 +19,10 @@ Result<std::unique_ptr<CodecUnderTest>> make_roomcast_live(const BenchPicture& p
 /// The default of `roomcast sensor`: depth and colour in one payload, two temporal layers.
 Result<std::unique_ptr<CodecUnderTest>> make_roomcast_live_with_color(const BenchPicture& picture);
 
+/// The same with a target rate, as `roomcast sensor --mbit` without its control of the frame rate.
+Result<std::unique_ptr<CodecUnderTest>> make_roomcast_live_at_rate(const BenchPicture& picture,
+                                                                   double mbit_per_s);
+
 /// Colour only: VP9 at the picture's rate. (The mask needs depth, and counts as depth where both
 /// are measured.)
 Result<std::unique_ptr<CodecUnderTest>> make_roomcast_color(const BenchPicture& picture);

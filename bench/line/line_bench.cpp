@@ -15,6 +15,9 @@ Result<LineReport> run_line_bench(const LineBenchOptions& options,
   if (std::ranges::find(options.cases, "unwatched") != options.cases.end()) {
     if (auto status = measure_unwatched(options, progress, report); !status) return status.error();
   }
+  if (std::ranges::find(options.cases, "rate") != options.cases.end()) {
+    if (auto status = measure_rate(options, progress, report); !status) return status.error();
+  }
   return report;
 }
 

@@ -4,6 +4,10 @@
 //   unwatched  bytes and CPU time of simulated sensors while nobody watches the room, relative to
 //              those while somebody does, and how long the first viewer waits for a whole picture
 //
+//   rate       bytes over seconds and tenths of seconds of sensors with a target rate, and the age
+//   of
+//              their frames, on an emulated link; needs root
+//
 // The CPU time is that of this process: sensors, hub, and a viewer that does not decode.
 #pragma once
 
@@ -22,8 +26,10 @@ struct LineBenchOptions {
   std::vector<std::string> cases = {"unwatched"};
   std::string scene = "studio";  // of simulated sensors
   int sensors = 3;
-  std::chrono::milliseconds duration{10'000};  // of each measurement
-  int first_viewers = 5;                       // viewers who come into an unwatched room
+  std::chrono::milliseconds duration{10'000};            // of each measurement
+  std::vector<double> target_mbit = {0.5, 1, 2, 5, 10};  // of all sensors together
+  std::chrono::milliseconds rate_warm_up{15'000};        // bundles and first key frames are sent
+  int first_viewers = 5;                                 // viewers who come into an unwatched room
 };
 
 struct LineReport {
@@ -39,6 +45,11 @@ struct LineReport {
 [[nodiscard]] Status measure_unwatched(const LineBenchOptions& options,
                                        const std::function<void(const std::string&)>& progress,
                                        LineReport& report);
+
+/// The case `rate`; adds its figures. kUnsupported: not root, or no TUN devices.
+[[nodiscard]] Status measure_rate(const LineBenchOptions& options,
+                                  const std::function<void(const std::string&)>& progress,
+                                  LineReport& report);
 
 void print_table(const LineReport& report, std::ostream& out);
 void print_json(const LineReport& report, std::ostream& out);

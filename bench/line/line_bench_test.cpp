@@ -32,6 +32,21 @@ TEST(LineBench, sensors_that_nobody_watches_send_next_to_nothing) {
   EXPECT_LT(figure(report, "unwatched: CPU", "% of watched"), 60);
 }
 
+TEST(LineBench, a_sensor_keeps_to_its_target_rate) {
+  LineReport report;
+  const auto status = measure_rate(
+      {.scene = "bare", .sensors = 1, .duration = 4s, .target_mbit = {0.5}, .rate_warm_up = 6s}, {},
+      report);
+  if (!status && status.error().code == ErrorCode::kUnsupported)
+    GTEST_SKIP() << status.error().message;
+  ASSERT_TRUE(status.ok()) << status.error().message;
+  const double mean = figure(report, "rate 0.5 Mbit/s: mean", "Mbit/s");
+  EXPECT_LT(mean, 0.53);
+  EXPECT_GT(mean, 0.1) << "on a busy machine frames are missed";
+  EXPECT_LT(figure(report, "rate 0.5 Mbit/s: highest 0.2 s", "% off"), 60)
+      << "a busy machine delivers in bursts";
+}
+
 TEST(LineBench, json_has_the_keys_that_scripts_rely_on) {
   std::ostringstream out;
   print_json({.figures = {{"unwatched: CPU", "cores", 0.25}}}, out);

@@ -47,7 +47,7 @@ void add_codec_bench(CLI::App& bench, Command& chosen) {
                    "rig:DIR#s0, tum:DIR, a folder (of a rig the first sensor), sim[:scene][#n]")
       ->capture_default_str();
   command->add_option("--codec,--mode", options->bench.only,
-                      "Only this codec or mode, for example roomcast or lossless");
+                      "Only this codec, or modes that begin like this: roomcast, lossless");
   command->add_option("--frames", options->bench.most_frames, "Maximum number of frames")
       ->check(within(1, 10'000))
       ->capture_default_str();
@@ -64,6 +64,11 @@ void add_codec_bench(CLI::App& bench, Command& chosen) {
                    "Bit rate of colour where there is rate control, kbit/s")
       ->check(within(50, 20'000))
       ->capture_default_str();
+  command
+      ->add_option("--mbit", options->bench.target_mbit,
+                   "Adds rows with these target rates of a sensor, Mbit/s")
+      ->delimiter(',')
+      ->check(within(0.1, 100.0));
   command
       ->add_option("--fps", options->simulator.sim_fps, "Frames per second of a simulated sensor")
       ->check(within(1.0, 60.0))

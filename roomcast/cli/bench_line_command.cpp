@@ -27,10 +27,15 @@ void add_line_bench(CLI::App& bench, Command& chosen) {
   auto seconds = std::make_shared<double>(10);
   auto json = std::make_shared<bool>(false);
   CLI::App* command = bench.add_subcommand(
-      "line", "Bytes and CPU time of sensors whose room nobody watches, relative to watched ones");
-  command->add_option("--case", options->cases, "Cases: unwatched")
+      "line", "What a room's sensors cost on their line: unwatched, and with a target rate");
+  command->add_option("--case", options->cases, "Cases: unwatched, rate (needs root)")
       ->delimiter(',')
-      ->check(CLI::IsMember({"unwatched"}));
+      ->check(CLI::IsMember({"unwatched", "rate"}));
+  command
+      ->add_option("--mbit", options->target_mbit,
+                   "Case rate: target rates of all sensors together, Mbit/s")
+      ->delimiter(',')
+      ->check(within(0.1, 800.0));
   command->add_option("--scene", options->scene, "The simulated room")->capture_default_str();
   command->add_option("--sensors", options->sensors, "Number of simulated sensors")
       ->check(within(1, 8))
@@ -39,7 +44,7 @@ void add_line_bench(CLI::App& bench, Command& chosen) {
       ->check(within(1.0, 600.0))
       ->capture_default_str();
   command->add_flag("--json", *json, "Print JSON");
-  command->footer("Example:\n  roomcast bench line --case unwatched --seconds 20");
+  command->footer("Example:\n  roomcast bench line --case unwatched,rate --seconds 20");
   command->callback([options, seconds, json, &chosen] {
     options->duration = std::chrono::milliseconds(static_cast<std::int64_t>(*seconds * 1000));
     chosen = [options, json] { return finish("bench line", run_line(*options, *json)); };

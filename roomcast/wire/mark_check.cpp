@@ -42,10 +42,10 @@ std::optional<MarkShape> shape_of(pb::MarkKind kind) {
 Status check_points(const pb::Mark& mark) {
   const int numbers = mark.points_size();
   if (numbers > kNumbersPerPoint * kMaxMarkPoints) {
-    return Error{ErrorCode::kTooLarge, "this mark has " + std::to_string(numbers / kNumbersPerPoint) +
-                                           " points, and a mark may have " +
-                                           std::to_string(kMaxMarkPoints) +
-                                           ": draw it as several lines"};
+    return Error{ErrorCode::kTooLarge,
+                 "this mark has " + std::to_string(numbers / kNumbersPerPoint) +
+                     " points, and a mark may have " + std::to_string(kMaxMarkPoints) +
+                     ": draw it as several lines"};
   }
   const auto is_near = [](float metres) { return std::abs(metres) <= kMaxPosition_m; };
   if (!std::ranges::all_of(mark.points(), is_near)) return malformed_mark("a mark is out of range");

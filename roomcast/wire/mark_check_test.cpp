@@ -34,7 +34,8 @@ TEST(MarkCheck, every_kind_has_its_number_of_points_and_its_words) {
        {mark(pb::MARK_KIND_NOTE, 2, "two"), mark(pb::MARK_KIND_NOTE, 1),
         mark(pb::MARK_KIND_SKETCH, 1), mark(pb::MARK_KIND_SKETCH, 2, "words"),
         mark(pb::MARK_KIND_DISTANCE, 3), mark(pb::MARK_KIND_PLACE, 1, "the desk"),
-        mark(pb::MARK_KIND_UNSPECIFIED, 1, "none"), mark(static_cast<pb::MarkKind>(99), 1, "new")}) {
+        mark(pb::MARK_KIND_UNSPECIFIED, 1, "none"),
+        mark(static_cast<pb::MarkKind>(99), 1, "new")}) {
     EXPECT_FALSE(check_mark(wrong)) << wrong.ShortDebugString();
   }
   pb::Mark cut = mark(pb::MARK_KIND_SKETCH, 2);

@@ -39,7 +39,8 @@ Result<pb::Mark> MarkList::add(pb::Mark mark) {
                 " marks, as many as it may have: remove some first");
   }
   if (points_ + points_of(mark) > wire::kMaxPointsOfMarks) {
-    return full("the sketches of this room have as many points as they may have: remove some first");
+    return full(
+        "the sketches of this room have as many points as they may have: remove some first");
   }
   int& of_author = of_author_[mark.author_tag()];
   if (of_author >= wire::kMaxMarksOfAuthor) {

@@ -17,8 +17,8 @@ class MarkList {
   /// Takes the marks that the store has; those beyond a limit are left out.
   void remember(std::vector<wire::pb::Mark> marks);
 
-  /// Adds a mark that wire::check_mark accepts; returns it with its ID. kUnavailable: a limit of the
-  /// room or of the author is reached; the sentence is for people.
+  /// Adds a mark that wire::check_mark accepts; returns it with its ID. kUnavailable: a limit of
+  /// the room or of the author is reached; the sentence is for people.
   [[nodiscard]] Result<wire::pb::Mark> add(wire::pb::Mark mark);
 
   /// Whose marks remove() takes away.

@@ -63,8 +63,8 @@ RoomActions Room::remove_marks(ConnectionId from, Viewer& viewer, const pb::Remo
   std::vector<std::uint32_t> removed;
   if (why.empty()) {
     const std::vector<std::uint32_t> ids(removal.ids().begin(), removal.ids().end());
-    removed = marks_.remove(
-        ids, {.author_tag = viewer.author_tag, .may_remove_all = viewer.may_nudge});
+    removed =
+        marks_.remove(ids, {.author_tag = viewer.author_tag, .may_remove_all = viewer.may_nudge});
     if (removed.empty()) why = "only its author and the room's admins can remove a mark";
   }
   if (!why.empty()) {

@@ -116,7 +116,8 @@ TEST_F(RoomTest, a_mark_that_breaks_a_limit_is_refused_to_its_author_alone_who_s
 TEST_F(RoomTest, who_marks_too_fast_has_to_wait_a_moment) {
   const auto ada = enter(viewer_join("Ada"), 0s, kMarking);
   int taken = 0;
-  for (int i = 0; i < 60; ++i) taken += all<SaveMarks>(room.control(ada, note_message(), at(1s))).size();
+  for (int i = 0; i < 60; ++i)
+    taken += all<SaveMarks>(room.control(ada, note_message(), at(1s))).size();
   EXPECT_EQ(taken, 25);
   EXPECT_THAT(sent_marks(room.control(ada, note_message(), at(1s))).refusal(), HasSubstr("wait"));
   EXPECT_THAT(all<SaveMarks>(room.control(ada, note_message(), at(30s))), SizeIs(1));
@@ -146,7 +147,8 @@ TEST_F(RoomTest, an_admin_guides_until_they_end_it_or_leave) {
   };
   const auto begun = room.control(admin, guide_message_of(true), at(1s));
   EXPECT_EQ(guide_of(begun), 1);
-  EXPECT_THAT(messages(begun, pb::Control::kGuide)[0].to, testing::UnorderedElementsAre(admin, ada));
+  EXPECT_THAT(messages(begun, pb::Control::kGuide)[0].to,
+              testing::UnorderedElementsAre(admin, ada));
   enter(viewer_join("Bob"), 2s);
   EXPECT_EQ(guide_of(actions), 1) << "a newcomer is told, too";
   EXPECT_EQ(guide_of(room.leave(admin, at(3s))), 0);

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rate of a line over time: a counter of bytes, read often, and its extremes over windows.
+// Pure.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+namespace roomcast::bench {
+
+class LineRate {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  /// `total_bytes` so far; times ascend.
+  void add(Time time, std::uint64_t total_bytes) { readings_.push_back({time, total_bytes}); }
+
+  /// Mbit/s from the first reading to the last.
+  [[nodiscard]] double mean() const;
+  struct Extremes {
+    double lowest = 0, highest = 0;  // Mbit/s
+  };
+  /// Over all windows of this length that begin and end at a reading.
+  [[nodiscard]] Extremes over(std::chrono::milliseconds window) const;
+
+ private:
+  struct Reading {
+    Time time;
+    std::uint64_t bytes;
+  };
+  [[nodiscard]] static double mbit_per_s(const Reading& from, const Reading& to);
+
+  std::vector<Reading> readings_;
+};
+
+}  // namespace roomcast::bench
