@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Starts Chromium without a window and with software rendering, through playwright-core from web/node_modules.
-import { mkdtempSync, rmSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -21,9 +21,27 @@ const args = [
   '--enable-unsafe-swiftshader',
 ];
 
-/** `more` are arguments of the browser. `ignoreHTTPSErrors`: accept certificates without a trusted issuer. `phone`: fingers instead of a mouse. */
-export async function startBrowser({ width = 640, height = 400, ignoreHTTPSErrors = false, phone = false, more = [] } = {}) {
+/** Sets the browser's size of text, as a person does in its settings. */
+function setFont(profile, font_px) {
+  mkdirSync(join(profile, 'Default'));
+  const preferences = { webkit: { webprefs: { default_font_size: font_px } } };
+  writeFileSync(join(profile, 'Default', 'Preferences'), JSON.stringify(preferences));
+}
+
+/**
+ * `more` are arguments of the browser. `ignoreHTTPSErrors`: accept certificates without a trusted issuer. `phone`: fingers
+ * instead of a mouse. `font_px`: size of text, usually 16.
+ */
+export async function startBrowser({
+  width = 640,
+  height = 400,
+  ignoreHTTPSErrors = false,
+  phone = false,
+  more = [],
+  font_px = 0,
+} = {}) {
   const profile = mkdtempSync(join(tmpdir(), 'roomcast-e2e-'));
+  if (font_px) setFont(profile, font_px);
   const context = await chromium.launchPersistentContext(profile, {
     executablePath,
     headless: true,

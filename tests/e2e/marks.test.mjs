@@ -271,6 +271,50 @@ describe('an admin', () => {
   });
 });
 
+describe('text of twice the usual size', () => {
+  for (const [what, width, height] of [['a window', 1280, 800], ['a phone', 390, 844]]) {
+    test(`fits into ${what}, and everything can be used`, slow, async () => {
+      const phone = width < 500;
+      const large = await startBrowser({ width, height, phone, font_px: 32 });
+      const page = await open('&name=Ada', large);
+      await untilAllShown(page, 1);
+      const press = (button) => (phone ? button.tap() : button.click());
+      await press(page.getByRole('button', { name: 'Open the panel' }));
+      const sizes = await page.evaluate(() =>
+        [...document.querySelectorAll('#panel *, #tools *, #hint *')]
+          .filter((part) => part.checkVisibility() && [...part.childNodes].some(({ nodeType, data }) => nodeType === 3 && data.trim()))
+          .map((part) => [parseFloat(getComputedStyle(part).fontSize), part.textContent]),
+      );
+      assert.ok(sizes.length > 15 && sizes.every(([size]) => size >= 22), JSON.stringify(sizes.filter(([size]) => size < 22)));
+      const outside = () =>
+        page.evaluate(() =>
+          [...document.querySelectorAll('#panel, #tools .bar, #tools .said, #tools button, #hint')]
+            .filter((part) => part.checkVisibility() && getComputedStyle(part).clipPath === 'none')
+            .filter((part) => {
+              const { left, right, width } = part.getBoundingClientRect();
+              return width > 0 && (left < 0 || right > innerWidth + 0.5);
+            })
+            .map((part) => part.outerHTML.slice(0, 80)),
+        );
+      assert.deepEqual(await outside(), []);
+      await press(page.getByRole('button', { name: 'Close the panel' }));
+      await press(tool(page, 'Note'));
+      await until('the tool is there', () => page.locator('#room.aiming').count(), (there) => there === 1);
+      if (phone) await page.touchscreen.tap(195, 560);
+      else await page.mouse.click(800, 560);
+      await page.getByLabel(words).fill('large');
+      assert.deepEqual(await outside(), []);
+      assert.deepEqual(await seriousFindings(page), []);
+      await press(page.getByRole('button', { name: 'Leave it', exact: true }));
+      await count(page, 'note', 1);
+      await press(page.getByRole('button', { name: 'Undo' }));
+      await count(page, 'note', 0);
+      assert.deepEqual(page.complaints, []);
+      await large.end();
+    });
+  }
+});
+
 describe('a phone', () => {
   let phone, page, other;
   before(async () => {

@@ -40,7 +40,7 @@ import { browsersXr, headsetOffer, type HeadsetMode } from './xr/offer';
 
 const panelInterval_ms = 250;
 const statsInterval_ms = 1000;
-const roomForPanel_px = 560; // as in panel.css
+const roomForPanel = '(min-width: 35.0625em)'; // as in panel.css
 
 class Page {
   private readonly state = new RoomState();
@@ -188,14 +188,15 @@ class Page {
     stage.ladder.setPace(screenPace);
     stage.room.setPassthrough(false);
     panel.headset.setOn(false);
-    if (state.body) this.standpoint.set(viewFromBody(state.body.head, startDistance_m));
-    state.body = undefined;
+    const { body } = state;
+    state.body = undefined; // before the screen's own is sent
+    if (body) this.standpoint.set(viewFromBody(body.head, startDistance_m));
   }
 
   private begin(): void {
     const { stage, state, standpoint, headset, sound } = this;
     if (this.options.best) stage.ladder.pinToBest();
-    this.panel.setOpen(this.options.panelOpen ?? window.innerWidth >= roomForPanel_px);
+    this.panel.setOpen(this.options.panelOpen ?? matchMedia(roomForPanel).matches);
     this.setMode(this.options.mode);
     this.look.apply();
     this.panel.setTheme(this.look.theme);
