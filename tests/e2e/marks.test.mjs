@@ -115,6 +115,7 @@ describe('marks', () => {
 
   test('a note is pinned to a surface, and everybody has it, newcomers, too', slow, async () => {
     await tool(ada, 'Note').click();
+    await ada.locator('#room.aiming').waitFor(); // the tools are loaded with the first one
     await ada.mouse.click(middle.x, middle.y + 120);
     await ada.getByLabel(words).fill('Mind the step <b>');
     assert.deepEqual(await seriousFindings(ada), []);
