@@ -5,7 +5,8 @@
 //   internet  1 MB/s over an emulated 20 Mbit/s, 50 ms, 1 % loss
 //   narrow    2.5 MB/s over an emulated 10 Mbit/s, 50 ms: a viewer with half the needed rate,
 //             next to 20 viewers with enough
-//   voice     a speaker, and 2.9 Mbit/s of frames over an emulated 2 Mbit/s, 50 ms: the age of audio
+//   voice     a speaker, and 2.9 Mbit/s of frames over an emulated 2 Mbit/s, 50 ms: the age of
+//   audio
 //
 // The last three need root (EmulatedLink); without it they are left out and reported in `left_out`.
 // Ages are wall-clock times: on a busy machine they include its load.

@@ -9,18 +9,6 @@ namespace roomcast::bench {
 
 namespace {
 
-Result<std::vector<source::CapturedFrame>> capture(source::FrameSource& source, int count) {
-  std::vector<source::CapturedFrame> frames;
-  for (int i = 0; i < count; ++i) {
-    source::CapturedFrame frame;
-    const auto more = source.next(frame, {});
-    if (!more) return more.error();
-    if (!*more) break;
-    frames.push_back(std::move(frame));
-  }
-  return frames;
-}
-
 client::PublisherOptions publisher_options(const source::SensorDescription& sensor,
                                            const std::string& hub_url) {
   client::PublisherOptions options;
@@ -42,7 +30,7 @@ Result<std::unique_ptr<ReplayedSensor>> ReplayedSensor::start(const std::string&
   source_options.sim_fps = kFps;
   auto source = sensor::open_source(spec, source_options);
   if (!source) return source.error();
-  auto frames = capture(**source, frame_count);
+  auto frames = FrameLoop::capture(**source, frame_count);
   if (!frames) return frames.error();
   const source::SensorDescription sensor = (*source)->description();
   auto registration = Registration::create(sensor.calibration);
@@ -59,7 +47,7 @@ Result<std::unique_ptr<ReplayedSensor>> ReplayedSensor::start(const std::string&
       *std::move(frames), *std::move(registration), *std::move(encoder), *std::move(publisher)));
 }
 
-ReplayedSensor::ReplayedSensor(std::vector<source::CapturedFrame> frames, Registration registration,
+ReplayedSensor::ReplayedSensor(FrameLoop frames, Registration registration,
                                std::unique_ptr<codec::FrameEncoder> encoder,
                                std::unique_ptr<client::Publisher> publisher)
     : frames_(std::move(frames)),
@@ -82,13 +70,11 @@ void ReplayedSensor::play(const std::stop_token& stop) {
   using Steady = std::chrono::steady_clock;
   const auto period =
       std::chrono::duration_cast<Steady::duration>(std::chrono::duration<double>(1 / kFps));
-  const std::size_t last = frames_.size() - 1;
   auto due = Steady::now();
-  for (std::size_t i = 0; !stop.stop_requested(); ++i, due += period) {
+  for (std::int64_t i = 0; !stop.stop_requested(); ++i, due += period) {
     for (; due + period < Steady::now(); ++i) due += period;  // skips frames, as a camera does
     std::this_thread::sleep_until(due);
-    const std::size_t phase = last > 0 ? i % (2 * last) : 0;
-    send(frames_[phase <= last ? phase : 2 * last - phase], HostTime(due.time_since_epoch()));
+    send(frames_.at(i), HostTime(due.time_since_epoch()));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "bench/latency/frame_loop.h"
 #include "roomcast/client/publisher.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/core/result.h"
@@ -30,13 +31,13 @@ class ReplayedSensor {
   [[nodiscard]] std::vector<double> finish();
 
  private:
-  ReplayedSensor(std::vector<source::CapturedFrame> frames, Registration registration,
+  ReplayedSensor(FrameLoop frames, Registration registration,
                  std::unique_ptr<codec::FrameEncoder> encoder,
                  std::unique_ptr<client::Publisher> publisher);
   void play(const std::stop_token& stop);
   void send(const source::CapturedFrame& frame, HostTime captured);
 
-  std::vector<source::CapturedFrame> frames_;
+  FrameLoop frames_;
   Registration registration_;
   RegisteredColor registered_;
   std::unique_ptr<codec::FrameEncoder> encoder_;

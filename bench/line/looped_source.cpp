@@ -2,29 +2,12 @@
 #include "bench/line/looped_source.h"
 
 #include <algorithm>
-#include <cmath>
-#include <condition_variable>
-#include <mutex>
 #include <utility>
 
-#include "roomcast/core/clock.h"
+#include "roomcast/core/interruptible_wait.h"
 #include "roomcast/sensor/source_factory.h"
 
 namespace roomcast::bench {
-namespace {
-
-/// Waits until `when`; false: `stop` was requested first.
-bool wait_until(HostTime when, const std::stop_token& stop) {
-  std::mutex mutex;
-  std::condition_variable_any changed;
-  std::unique_lock lock(mutex);
-  const nanoseconds left = when - SteadyClock().now();
-  changed.wait_for(lock, stop, left, [] { return false; });
-  return !stop.stop_requested();
-}
-
-}  // namespace
-
 Result<std::unique_ptr<LoopedSource>> LoopedSource::capture(const std::string& scene, int index,
                                                             int count, double fps,
                                                             int frame_count) {
@@ -34,13 +17,11 @@ Result<std::unique_ptr<LoopedSource>> LoopedSource::capture(const std::string& s
   options.sim_sensor_count = count;
   auto simulated = sensor::open_source("sim:" + scene + "#" + std::to_string(index), options);
   if (!simulated) return simulated.error();
-  std::vector<source::CapturedFrame> frames(static_cast<std::size_t>(frame_count));
-  for (source::CapturedFrame& frame : frames) {
-    if (const auto more = (*simulated)->next(frame, {}); !more) return more.error();
-  }
+  auto frames = FrameLoop::capture(**simulated, frame_count);
+  if (!frames) return frames.error();
   const nanoseconds phase(static_cast<std::int64_t>(1e9 / fps * index / count));
   return std::unique_ptr<LoopedSource>(
-      new LoopedSource((*simulated)->description(), std::move(frames), phase));
+      new LoopedSource((*simulated)->description(), *std::move(frames), phase));
 }
 
 Result<bool> LoopedSource::next(source::CapturedFrame& frame, std::stop_token stop) {
@@ -49,9 +30,7 @@ Result<bool> LoopedSource::next(source::CapturedFrame& frame, std::stop_token st
   last_tick_ = std::max(last_tick_ + 1, now / interval + 1);
   const HostTime due{last_tick_ * interval + phase_};
   if (!wait_until(due, stop)) return false;
-  const auto last = static_cast<std::int64_t>(frames_.size()) - 1;
-  const std::int64_t place = last_tick_ % (2 * last);
-  const auto& captured = frames_[static_cast<std::size_t>(std::min(place, 2 * last - place))];
+  const source::CapturedFrame& captured = frames_.at(last_tick_);
   frame.depth_mm = captured.depth_mm;
   frame.color = captured.color;
   frame.index = static_cast<std::uint64_t>(last_tick_);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// LoopedSource: a few seconds of a sensor, captured beforehand and played forward and backward in
-// real time, so that the simulator's cost is not measured.
+// LoopedSource: a FrameLoop of a simulated sensor as a source in real time.
 #pragma once
 
 #include <memory>
 #include <string>
-#include <vector>
+#include <utility>
 
+#include "bench/latency/frame_loop.h"
 #include "roomcast/core/result.h"
 #include "roomcast/source/frame_source.h"
 
@@ -14,7 +14,7 @@ namespace roomcast::bench {
 
 class LoopedSource final : public source::FrameSource {
  public:
-  /// Captures `frame_count` (at least 2) frames of simulated sensor `index` of `count` in `scene`.
+  /// Captures `frame_count` frames of simulated sensor `index` of `count` in `scene`.
   /// Errors: those of sensor::open_source.
   static Result<std::unique_ptr<LoopedSource>> capture(const std::string& scene, int index,
                                                        int count, double fps, int frame_count);
@@ -25,12 +25,11 @@ class LoopedSource final : public source::FrameSource {
   [[nodiscard]] Result<bool> next(source::CapturedFrame& frame, std::stop_token stop) override;
 
  private:
-  LoopedSource(source::SensorDescription description, std::vector<source::CapturedFrame> frames,
-               nanoseconds phase)
+  LoopedSource(source::SensorDescription description, FrameLoop frames, nanoseconds phase)
       : description_(std::move(description)), frames_(std::move(frames)), phase_(phase) {}
 
   const source::SensorDescription description_;
-  const std::vector<source::CapturedFrame> frames_;
+  const FrameLoop frames_;
   const nanoseconds phase_;     // of this sensor's instants: sensors are not synchronised
   std::int64_t last_tick_ = 0;  // number of the newest instant since the clock's beginning
 };
