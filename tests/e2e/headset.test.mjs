@@ -6,7 +6,7 @@ import { createRequire } from 'node:module';
 import { after, before, describe, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
 import { requireBuilt, startHub, startSensor } from './programs.mjs';
-import { panelText, slow, stateOf, until, untilAllShown } from './waiting.mjs';
+import { distance, panelText, slow, stateOf, until, untilAllShown } from './waiting.mjs';
 
 const iwer = createRequire(new URL('../../web/package.json', import.meta.url)).resolve('iwer/build/iwer.min.js');
 const eyesApart_m = 0.063; // iwer's default
@@ -156,8 +156,4 @@ describe('the room in a headset', () => {
 
 function place({ x, y, z }) {
   return [x, y, z];
-}
-
-function distance(a, b) {
-  return Math.hypot(...a.map((value, i) => value - b[i]));
 }

@@ -2,38 +2,18 @@
 // What people show each other in the room: pointing, notes, drawings, distances, places for everybody, being shown around,
 // by mouse, key and finger. One room of one sensor for all.
 import assert from 'node:assert/strict';
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { seriousFindings } from './accessibility.mjs';
 import { openPage, startBrowser } from './browser.mjs';
-import { adminsToken, requireBuilt, startHub, startSensor } from './programs.mjs';
-import { panelText, slow, stateOf, until, untilAllShown } from './waiting.mjs';
+import { oneSensorRoom } from './one_sensor_room.mjs';
+import { startHub, startSensor } from './programs.mjs';
+import { distance, panelText, slow, stateOf, until, untilAllShown, viewOf } from './waiting.mjs';
 
 const view = 'mode=mesh&at=0.2,1.7,2.6&look=0,0.9,-1';
-const data = mkdtempSync(join(tmpdir(), 'roomcast-marks-'));
 const [middle, side] = [{ x: 600, y: 320 }, { x: 700, y: 330 }];
-let hub, sensor, browser, token;
+const room = oneSensorRoom('marks');
 
-before(async () => {
-  requireBuilt();
-  hub = await startHub(0, { data });
-  token = await adminsToken(data);
-  sensor = startSensor(hub, 0, { fps: 3 });
-  browser = await startBrowser({ width: 1000, height: 640 });
-}, slow);
-
-after(async () => {
-  await browser?.end();
-  await sensor?.end();
-  await hub?.end();
-  rmSync(data, { recursive: true, force: true });
-}, slow);
-
-const open = (more = '', { context } = browser) => openPage(context, `${hub.page}?panel=0&${view}${more}`);
-const viewOf = (page) => page.evaluate(() => window.roomcast.view());
-const distance = (a, b) => Math.hypot(...a.map((value, i) => value - b[i]));
+const open = (more = '', { context } = room.browser) => openPage(context, `${room.hub.page}?panel=0&${view}${more}`);
 /** What `of`, another page's viewer, points at; null while they do not. */
 async function pointOf(of, page) {
   const { viewerId } = await stateOf(of);
@@ -225,10 +205,10 @@ describe('marks', () => {
     await ada.getByLabel(words).fill('for long');
     await ada.keyboard.press('Enter');
     await count(bob, 'note', 1);
-    await sensor.end();
-    await hub.end();
-    hub = await startHub(hub.port, { data });
-    sensor = startSensor(hub, 0, { fps: 3 });
+    await room.sensor.end();
+    await room.hub.end();
+    room.hub = await startHub(room.hub.port, { data: room.data });
+    room.sensor = startSensor(room.hub, 0, { fps: 3 });
     for (const page of [ada, bob]) await until('it is back', () => stateOf(page), ({ phase }) => phase === 'joined');
     assert.equal((await count(bob, 'note', 1))[0].text, 'for long');
     await ada.getByRole('button', { name: /^Marks/ }).click();
@@ -240,7 +220,7 @@ describe('marks', () => {
 
 describe('an admin', () => {
   test('shows everybody around, until each moves or the admin ends it', slow, async () => {
-    const admin = await open(`&name=Eve#token=${token}`);
+    const admin = await open(`&name=Eve#token=${room.token}`);
     const ada = await open('&name=Ada');
     await untilAllShown(ada, 1);
     await admin.bringToFront();

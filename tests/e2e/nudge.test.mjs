@@ -9,7 +9,7 @@ import { after, before, describe, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
 import { writeLoneSensor } from './lone_sensor.mjs';
 import { adminsToken, requireBuilt, startHub, startSensor } from './programs.mjs';
-import { sensorsOf, slow, until, untilAllShown } from './waiting.mjs';
+import { distance, sensorsOf, slow, until, untilAllShown } from './waiting.mjs';
 
 const off_m = 0.08; // error of the pose that the user sets
 const exact_m = 0.04;
@@ -97,7 +97,3 @@ describe('an unplaced sensor', () => {
     assert.deepEqual(page.complaints, []);
   });
 });
-
-function distance(a, b) {
-  return Math.hypot(...a.map((value, i) => value - b[i]));
-}

@@ -2,38 +2,18 @@
 // Where one stands in the room: shared addresses, the first minute, going to a place, following a person, and the same
 // with fingers on a phone. One room of one sensor for all.
 import assert from 'node:assert/strict';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { get } from 'node:http';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { seriousFindings } from './accessibility.mjs';
 import { openPage, startBrowser } from './browser.mjs';
-import { adminsToken, requireBuilt, startHub, startSensor } from './programs.mjs';
-import { panelText, slow, stateOf, until, untilAllShown } from './waiting.mjs';
+import { oneSensorRoom } from './one_sensor_room.mjs';
+import { distance, panelText, slow, stateOf, until, untilAllShown, viewOf } from './waiting.mjs';
 
 const view = 'mode=mesh&at=0.2,1.7,2.6&look=0,0.9,-1';
-const viewOf = (page) => page.evaluate(() => window.roomcast.view());
-const distance = (a, b) => Math.hypot(...a.map((value, i) => value - b[i]));
-const data = mkdtempSync(join(tmpdir(), 'roomcast-places-'));
-let hub, sensor, browser, token;
+const room = oneSensorRoom('places');
 
-before(async () => {
-  requireBuilt();
-  hub = await startHub(0, { data });
-  token = await adminsToken(data);
-  sensor = startSensor(hub, 0, { fps: 3 });
-  browser = await startBrowser({ width: 1000, height: 640 });
-}, slow);
-
-after(async () => {
-  await browser?.end();
-  await sensor?.end();
-  await hub?.end();
-  rmSync(data, { recursive: true, force: true });
-}, slow);
-
-const open = (more = '') => openPage(browser.context, `${hub.page}?panel=1&${view}${more}`);
+const open = (more = '') => openPage(room.browser.context, `${room.hub.page}?panel=1&${view}${more}`);
 /** Bytes of a file as a browser gets it, compressed. */
 function packedSize(url) {
   return new Promise((resolve, reject) => {
@@ -50,18 +30,18 @@ const sharedBy = (page) => page.getByLabel('Address of this view').inputValue();
 
 describe('a shared view', () => {
   test('opens where its owner stood, and tells nobody their token', slow, async () => {
-    const page = await open(`&name=Ada#token=${token}`);
+    const page = await open(`&name=Ada#token=${room.token}`);
     await until('it is live', () => stateOf(page), ({ phase }) => phase === 'joined');
     await page.evaluate(() => window.roomcast.setView([1, 1.5, 1.25], [0, 0.5, -2]));
     await page.evaluate(() => window.roomcast.setMode('points'));
     const there = await viewOf(page);
-    await browser.context.grantPermissions(['clipboard-read', 'clipboard-write'], { origin: hub.page });
+    await room.browser.context.grantPermissions(['clipboard-read', 'clipboard-write'], { origin: room.hub.page });
     await share(page);
     const address = await sharedBy(page);
     await until('it says so', () => panelText(page), (text) => /Copied.*Your token is not in it/.test(text));
     assert.equal(await page.evaluate(() => navigator.clipboard.readText()), address);
-    assert.equal(address, `${hub.page}?room=room#at=1,1.5,1.25&look=0,0.5,-2&mode=points`);
-    assert.ok(!page.url().includes(token) && page.url().endsWith('#at=1,1.5,1.25&look=0,0.5,-2&mode=points'), page.url());
+    assert.equal(address, `${room.hub.page}?room=room#at=1,1.5,1.25&look=0,0.5,-2&mode=points`);
+    assert.ok(!page.url().includes(room.token) && page.url().endsWith('#at=1,1.5,1.25&look=0,0.5,-2&mode=points'), page.url());
 
     await page.reload();
     await page.waitForFunction(() => window.roomcast !== undefined);
@@ -69,7 +49,7 @@ describe('a shared view', () => {
     assert.ok(distance((await viewOf(page)).position, there.position) < 2e-3, 'a reload stays there');
     await page.close();
 
-    const other = await openPage(browser.context, address);
+    const other = await openPage(room.browser.context, address);
     await untilAllShown(other, 1);
     const seen = await viewOf(other);
     assert.ok(distance(seen.position, there.position) < 2e-3 && Math.abs(seen.yaw - there.yaw) < 2e-3);
@@ -85,7 +65,7 @@ describe('a shared view', () => {
     await until('it is live', () => stateOf(page), ({ phase }) => phase === 'joined');
     await page.evaluate(() => (location.hash = '#at=2,1.4,0&look=0,1,0&mode=points'));
     await until('it is there', () => viewOf(page), ({ position }) => distance(position, [2, 1.4, 0]) < 1e-6);
-    await page.evaluate((secret) => (location.hash = `#at=1,1.4,0&look=0,1,0&token=${secret}`), token);
+    await page.evaluate((secret) => (location.hash = `#at=1,1.4,0&look=0,1,0&token=${secret}`), room.token);
     await page.waitForFunction(() => location.hash === '#at=1,1.4,0&look=0,1,0' && window.roomcast !== undefined);
     await page.getByRole('button', { name: 'Console', exact: true }).waitFor();
     assert.ok(distance((await viewOf(page)).position, [1, 1.4, 0]) < 1e-6);
@@ -146,7 +126,7 @@ describe('the first minute', () => {
   });
 
   test('has the hint also where the browser keeps nothing', slow, async () => {
-    const page = await browser.context.newPage();
+    const page = await room.browser.context.newPage();
     page.complaints = [];
     page.on('pageerror', (error) => page.complaints.push(error.message));
     await page.addInitScript(() => {
@@ -157,7 +137,7 @@ describe('the first minute', () => {
           },
         });
     });
-    await page.goto(`${hub.page}?panel=1&${view}`);
+    await page.goto(`${room.hub.page}?panel=1&${view}`);
     await page.locator('#hint').waitFor();
     await page.locator('#room').focus();
     await page.keyboard.press('KeyW');
@@ -327,7 +307,7 @@ describe('following a person', () => {
   });
 
   test('leaves an Escape to an open console', slow, async () => {
-    const admin = await open(`&name=Eve#token=${token}`);
+    const admin = await open(`&name=Eve#token=${room.token}`);
     await admin.getByRole('button', { name: 'Console', exact: true }).click();
     await admin.getByRole('button', { name: 'Follow Bob' }).click();
     await admin.getByRole('tab', { name: 'Sensors' }).focus();
@@ -356,7 +336,7 @@ describe('following a person', () => {
 describe('the map', () => {
   test('shows sensors and people from above, and a click goes there', slow, async () => {
     const page = await open('&name=Ada');
-    const other = await openPage(browser.context, `${hub.page}?panel=0&name=Bob&at=0.5,1.6,1&look=0,1,-1`);
+    const other = await openPage(room.browser.context, `${room.hub.page}?panel=0&name=Bob&at=0.5,1.6,1&look=0,1,-1`);
     await untilAllShown(page, 1);
     const map = page.getByRole('img', { name: /The room from above: 1 sensor, another person, and you/ });
     await map.waitFor();
@@ -421,7 +401,7 @@ test('the first visit loads at most 270 kB', slow, async () => {
   const page = await context.newPage();
   const files = [];
   context.on('response', (response) => files.push(response.url()));
-  await page.goto(`${hub.page}?panel=1`);
+  await page.goto(`${room.hub.page}?panel=1`);
   await page.waitForFunction(() => window.roomcast !== undefined);
   await untilAllShown(page, 1);
   const loaded = [...new Set(files)].filter((url) => !url.startsWith('data:'));
@@ -433,7 +413,7 @@ test('the first visit loads at most 270 kB', slow, async () => {
 });
 
 test('with colours of the system’s own one sees whom one follows, and where all are', slow, async () => {
-  const other = await openPage(browser.context, `${hub.page}?panel=0&name=Bob`);
+  const other = await openPage(room.browser.context, `${room.hub.page}?panel=0&name=Bob`);
   const page = await open('&name=Ada');
   await untilAllShown(page, 1);
   await page.emulateMedia({ forcedColors: 'active' });
@@ -455,7 +435,7 @@ describe('a phone', () => {
   let phone, page;
   before(async () => {
     phone = await startBrowser({ width: 390, height: 844, phone: true });
-    page = await openPage(phone.context, `${hub.page}?panel=0&${view}`);
+    page = await openPage(phone.context, `${room.hub.page}?panel=0&${view}`);
     await untilAllShown(page, 1);
   }, slow);
   after(() => phone?.end());

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
 import { requireBuilt, startHub, startSensor } from './programs.mjs';
-import { panelText, sensorsOf, slow, stateOf, until, untilAllShown } from './waiting.mjs';
+import { distance, panelText, sensorsOf, slow, stateOf, until, untilAllShown } from './waiting.mjs';
 
 // (module (func 0xff))
 const moduleWithUnknownInstruction = Buffer.from('0061736d01000000010401600000030201000a05010300ff0b', 'hex');
@@ -113,7 +113,3 @@ describe('a room of one sensor, or none', () => {
     await page.close();
   });
 });
-
-function distance(a, b) {
-  return Math.hypot(...a.map((value, i) => value - b[i]));
-}

@@ -24,6 +24,9 @@ export async function until(what, ask, enough, within_ms = patience_ms) {
 }
 
 export const stateOf = (page) => page.evaluate(() => window.roomcast.state());
+export const viewOf = (page) => page.evaluate(() => window.roomcast.view());
+/** Of two points. */
+export const distance = (a, b) => Math.hypot(...a.map((value, i) => value - b[i]));
 export const sensorsOf = (page) => page.evaluate(() => window.roomcast.sensors());
 export const coverageOf = (page) => page.evaluate(() => window.roomcast.coverage());
 export const panelText = (page) => page.locator('#panel').innerText();
