@@ -12,8 +12,6 @@
 namespace roomcast::wire {
 namespace {
 
-constexpr int kNumbersPerPoint = 3;
-
 Error malformed_mark(std::string sentence) {
   return {ErrorCode::kMalformed, std::move(sentence)};
 }

@@ -7,6 +7,9 @@
 
 namespace roomcast::wire {
 
+/// x, y, z of each point of a mark, in the world frame, metres.
+inline constexpr int kNumbersPerPoint = 3;
+
 /// What a hub takes. kTooLarge or kMalformed, with a sentence for people.
 [[nodiscard]] Status check_mark(const pb::Mark& mark);
 /// What a viewer takes: also kinds of a later version, which it does not show.

@@ -4,9 +4,6 @@
 #include <cctype>
 #include <span>
 
-#include <openssl/evp.h>
-
-#include "roomcast/core/assert.h"
 #include "roomcast/net/random_bytes.h"
 
 namespace roomcast::hub {
@@ -56,12 +53,7 @@ std::optional<CodeDigest> digest_of_code(std::string_view code) {
     plain += meant;
   }
   if (plain.size() != kLength) return std::nullopt;
-  CodeDigest digest{};
-  unsigned int size = 0;
-  const int done =
-      EVP_Digest(plain.data(), plain.size(), digest.data(), &size, EVP_sha256(), nullptr);
-  ROOMCAST_ASSERT(done == 1 && size == digest.size());
-  return digest;
+  return sha256_of(plain);
 }
 
 std::string id_of_code(const CodeDigest& digest) {

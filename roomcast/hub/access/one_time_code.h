@@ -4,18 +4,18 @@
 // their digests. Threading: thread-safe (no state).
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "roomcast/hub/access/sha256.h"
 
 namespace roomcast::hub {
 
 /// "7K2M-9QXA-0C4T-VW3H"
 [[nodiscard]] std::string make_one_time_code();
 
-using CodeDigest = std::array<std::uint8_t, 32>;
+using CodeDigest = Sha256;
 
 /// SHA-256 of a code as typed by a person: hyphens and case are ignored, O is read as 0, I and L as
 /// 1. Nothing: not a code.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/hub/daemon/certificate_watch.h"
 
-#include <condition_variable>
-#include <mutex>
 #include <system_error>
 #include <utility>
+
+#include "roomcast/core/interruptible_wait.h"
 
 namespace roomcast::hub::daemon {
 
@@ -18,13 +18,7 @@ CertificateWatch::CertificateWatch(std::filesystem::path certificate, std::files
       log_(std::move(log)),
       seen_(stamp()),
       thread_([this, check_every](const std::stop_token& stop) {
-        std::mutex mutex;
-        std::condition_variable_any nobody_wakes;
-        std::unique_lock lock(mutex);
-        while (!nobody_wakes.wait_for(lock, stop, check_every,
-                                      [&] { return stop.stop_requested(); })) {
-          check_files();
-        }
+        while (wait_for(check_every, stop)) check_files();
       }) {}
 
 CertificateWatch::Stamp CertificateWatch::stamp() const {

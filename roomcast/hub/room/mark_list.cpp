@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "roomcast/wire/limits.h"
+#include "roomcast/wire/mark_check.h"
 
 namespace roomcast::hub {
 
@@ -13,11 +14,10 @@ namespace {
 
 namespace pb = wire::pb;
 
-constexpr int kNumbersPerPoint = 3;
 constexpr std::size_t kMaxBytesPerMessage = wire::kMaxControlFromHubBytes / 2;
 
 int points_of(const pb::Mark& mark) {
-  return mark.points_size() / kNumbersPerPoint;
+  return mark.points_size() / wire::kNumbersPerPoint;
 }
 
 Error full(std::string sentence) {

@@ -33,6 +33,15 @@ class Database {
   Database& operator=(const Database&) = delete;
 
   [[nodiscard]] Status run(const char* sql);
+  /// Calls `work`; all of its changes are kept, or, if it gives an error, none of them.
+  template <class Work>
+  [[nodiscard]] Status in_transaction(Work work) {
+    if (auto status = run("BEGIN IMMEDIATE"); !status) return status;
+    Status done = work();
+    if (done) done = run("COMMIT");
+    if (!done) (void)run("ROLLBACK");
+    return done;
+  }
   /// The number of rows that the last statement changed.
   [[nodiscard]] int changed_rows() const;
   /// A number that changes whenever another program changes the file.

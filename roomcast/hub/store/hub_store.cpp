@@ -44,14 +44,13 @@ HubStore::HubStore(std::unique_ptr<Database> database, const HubSecret& secret, 
 }
 
 Status HubStore::forget_room(const std::string& room) {
-  if (auto status = database_->run("BEGIN IMMEDIATE"); !status) return status;
-  auto forgotten = rooms_.forget(room);
-  if (forgotten) forgotten = sensors_.forget(room);
-  if (forgotten) forgotten = marks_.forget(room);
-  if (forgotten) forgotten = tokens_.revoke_all(room, now_());
-  if (forgotten) forgotten = database_->run("COMMIT");
-  if (!forgotten) (void)database_->run("ROLLBACK");
-  return forgotten;
+  return database_->in_transaction([&] {
+    auto forgotten = rooms_.forget(room);
+    if (forgotten) forgotten = sensors_.forget(room);
+    if (forgotten) forgotten = marks_.forget(room);
+    if (forgotten) forgotten = tokens_.revoke_all(room, now_());
+    return forgotten;
+  });
 }
 
 Verdict<Claims> HubStore::check(const std::string& token) {

@@ -42,11 +42,10 @@ bool MarkStore::write(const std::string& room, std::span<const pb::Mark> added,
 
 Status MarkStore::save(const std::string& room, std::span<const pb::Mark> added,
                        std::span<const std::uint32_t> removed) {
-  if (auto status = database_.run("BEGIN IMMEDIATE"); !status) return status;
-  if (write(room, added, removed)) return database_.run("COMMIT");
-  const Error error = database_.failure("cannot store a mark");
-  (void)database_.run("ROLLBACK");
-  return error;
+  return database_.in_transaction([&]() -> Status {
+    if (write(room, added, removed)) return {};
+    return database_.failure("cannot store a mark");
+  });
 }
 
 Status MarkStore::forget(const std::string& room) {

@@ -57,21 +57,19 @@ Result<std::vector<KnownSensor>> SensorStore::load(const std::string& room) cons
 }
 
 Status SensorStore::save(const std::string& room, std::span<const KnownSensor> sensors) {
-  if (auto status = database_.run("BEGIN IMMEDIATE"); !status) return status;
-  for (const KnownSensor& sensor : sensors) {
-    Statement statement(database_, kSave);
-    statement.bind(1, room).bind(2, sensor.name).bind(3, std::int64_t{sensor.id.value});
-    if (sensor.pose) {
-      const auto row_major = row_major_from_transform(sensor.pose->world_from_depth);
-      statement.bind_blob(4, row_major.data(), sizeof(row_major));
-      statement.bind(5, sensor.pose->expected_error_mm);
+  return database_.in_transaction([&]() -> Status {
+    for (const KnownSensor& sensor : sensors) {
+      Statement statement(database_, kSave);
+      statement.bind(1, room).bind(2, sensor.name).bind(3, std::int64_t{sensor.id.value});
+      if (sensor.pose) {
+        const auto row_major = row_major_from_transform(sensor.pose->world_from_depth);
+        statement.bind_blob(4, row_major.data(), sizeof(row_major));
+        statement.bind(5, sensor.pose->expected_error_mm);
+      }
+      if (!statement.run()) return database_.failure("cannot store a sensor");
     }
-    if (statement.run()) continue;
-    const Error error = database_.failure("cannot store a sensor");
-    (void)database_.run("ROLLBACK");
-    return error;
-  }
-  return database_.run("COMMIT");
+    return {};
+  });
 }
 
 Status SensorStore::forget(const std::string& room) {
