@@ -46,7 +46,7 @@ inline void add_codec_options(CLI::App& command, sensor::CodecChoice& choice) {
   command
       .add_option("--mbit", choice.target_mbit_per_s,
                   "Send so many Mbit/s, never more: depth and colour become coarser or finer, "
-                  "then frames fewer (default: a fixed quality)")
+                  "then frames fewer; --color-kbit has no effect (default: a fixed quality)")
       ->check(within(sensor::kMinTargetMbit, sensor::kMaxTargetMbit));
 }
 

@@ -207,8 +207,8 @@ void Vp9ColorEncoder::choose_quality() {
   bytes_since_key_ = 0;
 }
 
-// What stands still keeps the quality of the frames that coded it last. With a fixed quantiser it
-// is coded again once the quantiser has become noticeably finer.
+// Still blocks keep the quality of the frame that coded them last. With a fixed quantiser they are
+// coded again once the quantiser has become noticeably finer.
 void Vp9ColorEncoder::refine_still_blocks(FrameRole role) {
   if (!fixed_quantizer_ || role.layer > 0) return;
   if (role.key) {

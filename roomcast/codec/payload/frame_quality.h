@@ -42,7 +42,7 @@ class FrameQuality {
   /// Frames of one role.
   struct Sizes {
     double color_log2 = 0;   // of the bytes that colour would have at quantiser 0
-    double depth_bytes = 0;  // at the present step, smoothed
+    double depth_bytes = 0;  // at the present step; smoothed where there is colour
     bool known = false;
   };
   enum Kind { kKey, kReference, kDroppable, kKinds };

@@ -64,7 +64,6 @@ std::optional<RateControl::Plan> RateControl::next_frame(HostTime now,
   drain(now);
   learn_interval(now);
   last_frame_ = now;
-  now_ = now;
   waiting_bytes_ += static_cast<double>(control_bytes - control_bytes_);
   control_bytes_ = control_bytes;
   choose_divisor(now);
@@ -94,7 +93,7 @@ void RateControl::sent(std::size_t bytes, const codec::EncodedFrameInfo& info) {
   const double interval_s =
       std::clamp(static_cast<double>(bytes) / options_.bytes_per_s / kKeyShare, kMinKeyInterval_s,
                  kMaxKeyInterval_s);
-  next_key_ = now_ + std::chrono::duration_cast<nanoseconds>(Seconds(interval_s));
+  next_key_ = *last_frame_ + std::chrono::duration_cast<nanoseconds>(Seconds(interval_s));
 }
 
 void RateControl::choose_divisor(HostTime now) {

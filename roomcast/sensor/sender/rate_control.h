@@ -62,7 +62,6 @@ class RateControl {
   int since_sent_ = 0;  // frames of the source
   int quantizer_ = 0;   // of the newest frame
   std::optional<HostTime> coarse_since_, fine_since_;
-  HostTime now_{};
   std::optional<HostTime> next_key_;
 };
 
