@@ -149,6 +149,30 @@ describe('marks', () => {
     assert.ok(Math.abs(length - Number(/[\d.]+ /.exec(said)[0])) < 0.006 && length > 0.1 && length < 5, `${length}: ${said}`);
   });
 
+  test('what a tool says stays while the hub confirms an earlier mark', slow, async () => {
+    const again = await open('&name=Ada'); // another tab of the same person, whose marks are hers, too
+    await again.bringToFront();
+    await tool(again, 'Draw').click();
+    await again.locator('#room.aiming').waitFor();
+    await ada.bringToFront();
+    await ada.getByRole('button', { name: 'Measure', exact: true }).click();
+    if ((await tool(ada, 'Measure').getAttribute('aria-pressed')) === 'false') await tool(ada, 'Measure').click();
+    await ada.mouse.click(middle.x, middle.y + 120);
+    await ada.getByText('Press where the distance ends.').waitFor();
+    const [before] = [(await ofKind(ada, 'sketch')).length];
+    await again.bringToFront();
+    await again.mouse.move(middle.x, middle.y + 100);
+    await again.mouse.down();
+    await again.mouse.move(middle.x + 40, middle.y + 100, { steps: 8 });
+    await again.mouse.up();
+    await until('the drawing is there', () => ofKind(ada, 'sketch'), ({ length }) => length > before);
+    assert.ok(await ada.getByText('Press where the distance ends.').isVisible());
+    await again.getByRole('button', { name: 'Undo' }).click();
+    await count(ada, 'sketch', before);
+    await ada.keyboard.press('Escape');
+    await again.close();
+  });
+
   test('by keyboard alone: a note in the middle of the view, and Escape puts the tool away', slow, async () => {
     await tool(ada, 'Note').focus();
     await ada.keyboard.press('Enter');
@@ -329,12 +353,15 @@ describe('a phone', () => {
     await touch('touchEnd');
     // Where the finger crosses an edge, another line begins.
     await until('the drawing is left', () => ofKind(other, 'sketch'), ({ length }) => length > 0);
-    await tool(page, 'Measure').tap();
-    await page.touchscreen.tap(150, 480);
+    // The finger is on the room before the browser has reported the tap on the tool.
+    await touch('touchStart', [150, 480]);
+    await tool(page, 'Measure').evaluate((button) => button.click());
+    await touch('touchEnd');
     await page.getByText('Press where the distance ends.').waitFor();
     await page.touchscreen.tap(230, 500);
     await page.getByText(/It is \d+\.\d\d m\./).waitFor();
     await tool(page, 'Note').tap();
+    await until('the tool is chosen', () => tool(page, 'Note').getAttribute('aria-pressed'), (pressed) => pressed === 'true');
     await page.touchscreen.tap(190, 490);
     await page.getByLabel(words).fill('from a phone');
     await page.getByRole('button', { name: 'Leave it', exact: true }).tap();

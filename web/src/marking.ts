@@ -34,6 +34,7 @@ export class Marking {
   private loading: Promise<Marker | undefined> | undefined;
   private rights = { mark: false, removeAll: false, tag: 0n };
   private newest = 0; // of this viewer's marks that undo removes
+  private undo: 'none' | 'due' | 'offered' = 'none'; // not after a tool has said something newer
   private keyIsDown = false;
 
   constructor(
@@ -77,10 +78,10 @@ export class Marking {
 
   take(message: Marks): void {
     this.marks.take(message);
-    if (message.refusal) this.bar.say(texts.refused(message.refusal));
+    if (message.refusal) this.say(texts.refused(message.refusal));
     const own = message.all ? undefined : message.marks.findLast((mark) => mark.authorTag === this.rights.tag);
     if (own && own.kind !== MarkKind.PLACE && own.authorTag !== 0n) this.offerUndo(own);
-    if (message.removed.includes(this.newest)) this.bar.say('');
+    if (message.removed.includes(this.newest) && this.undo === 'offered') this.say('');
     this.changed();
   }
 
@@ -113,12 +114,21 @@ export class Marking {
   private leave(mark: NewMark): boolean {
     const isJoined = this.parts.state.connection.phase === 'joined';
     if (isJoined) this.events.leave(mark);
+    if (isJoined && mark.kind !== MarkKind.PLACE) this.undo = 'due';
     return isJoined;
   }
 
+  /** The hub has the mark. On a slow line one may be measuring by now: what the tool says of that stays. */
   private offerUndo({ id }: Mark): void {
+    if (this.undo === 'none') return;
     this.newest = id;
+    this.undo = 'offered';
     this.bar.say(texts.left, { label: texts.undo, run: () => this.remove([this.newest]) });
+  }
+
+  private say(sentence: string, action?: { label: string; run(): void }): void {
+    this.undo = 'none';
+    this.bar.say(sentence, action);
   }
 
   private changed(): void {
@@ -132,16 +142,16 @@ export class Marking {
 
   private async choose(tool: Tool | undefined): Promise<void> {
     const { standpoint, stage } = this.parts;
-    const { hands } = standpoint.navigation;
+    const { navigation } = standpoint;
     this.keyUp();
-    hands.tool?.cancel();
+    this.undo = 'none';
     this.bar.setTool(tool);
     const isPointing = tool === 'point';
     const marker = tool && !isPointing ? await this.load() : this.marker;
     if (tool !== this.bar.tool) return; // another one was chosen meanwhile
     const hand = marker?.choose(isPointing ? undefined : tool);
-    hands.tool = isPointing ? standpoint.pointing : hand;
-    stage.canvas.classList.toggle('aiming', hands.tool !== undefined);
+    navigation.setTool(isPointing ? standpoint.pointing : hand);
+    stage.canvas.classList.toggle('aiming', navigation.hands.tool !== undefined);
     if (tool) stage.canvas.focus({ preventScroll: true });
   }
 
@@ -153,7 +163,7 @@ export class Marking {
   private load(): Promise<Marker | undefined> {
     this.loading ??= this.makeMarker().catch(() => {
       this.loading = undefined;
-      this.bar.say(texts.notLoaded);
+      this.say(texts.notLoaded);
       return undefined;
     });
     return this.loading;
@@ -166,7 +176,7 @@ export class Marking {
     this.marker = new Marker(parts, {
       leave: (mark) => this.leave(mark),
       remove: (ids) => this.remove(ids),
-      say: ({ sentence, action }) => this.bar.say(sentence, action),
+      say: ({ sentence, action }) => this.say(sentence, action),
       goTo: (point) => standpoint.goToPoint(point),
       color: () => state.ownColor,
       mayLeave: () => this.rights.mark,

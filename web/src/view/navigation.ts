@@ -41,7 +41,7 @@ export class Navigation {
   private readonly held = new Set<string>();
   private readonly taps = new DoubleTap();
   private readonly longPress = new LongPress();
-  private taken: { id: number; hand: CanvasHand } | undefined; // a pointer that does not move the view
+  private taken: { id: number; hand: CanvasHand; x: number; y: number } | undefined; // a pointer that does not move the view
   private reach: Reach;
   private roomsReach: Reach | undefined; // undefined while the room's size is not known
   private glide: Glide | undefined;
@@ -91,6 +91,15 @@ export class Navigation {
 
   permitted(view: ViewState): ViewState {
     return withinReach(view, this.reach);
+  }
+
+  /** A press that came before the tool was chosen is the tool's: on a busy machine it overtakes the click on its button. */
+  setTool(tool: CanvasHand | undefined): void {
+    const { taken, hands } = this;
+    const isHeld = taken !== undefined && taken.hand === hands.tool;
+    hands.tool?.cancel();
+    hands.tool = tool;
+    if (isHeld && tool) this.give(taken.id, tool, taken);
   }
 
   /** Walks on until it is called with zeros. */
@@ -164,7 +173,7 @@ export class Navigation {
   private give(id: number, hand: CanvasHand | undefined, { x, y }: { x: number; y: number }): void {
     if (!hand) return;
     this.taps.cancel();
-    this.taken = { id, hand };
+    this.taken = { id, hand, x, y };
     hand.press(x, y);
   }
 
@@ -193,7 +202,10 @@ export class Navigation {
     const finger = this.fingers.get(event.pointerId);
     if (!finger) return;
     const { x, y } = this.pixelOf(event);
-    if (this.taken?.id === event.pointerId) return this.taken.hand.drag(x, y);
+    if (this.taken?.id === event.pointerId) {
+      Object.assign(this.taken, { x, y });
+      return this.taken.hand.drag(x, y);
+    }
     this.longPress.move({ id: event.pointerId, x, y });
     const before = { ...finger };
     finger.x = event.clientX;
