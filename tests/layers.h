@@ -224,7 +224,7 @@ inline const std::vector<Layer> kLayers = {
     {"hub/runtime",
      "core hub/access hub/config hub/room hub/store net wire"},
     {"hub/admin",
-     "core geometry hub/config hub/room hub/runtime hub/store net"},
+     "core geometry hub/access hub/config hub/room hub/runtime hub/store net"},
     {"hub/federation/mirror",
      "client/room hub/runtime net wire",
      "hub/server"},
@@ -240,8 +240,7 @@ inline const std::vector<Layer> kLayers = {
      "wire"},
     {"hub/daemon",
      "alignment/service core hub/config hub/federation/cluster hub/federation/upstream "
-     "hub/runtime hub/server io net net/tls recording/recorder",
-     "recording/room"},
+     "hub/runtime hub/server io net net/tls recording/bytes recording/recorder recording/room wire"},
     {"doctor",
      "core hub/daemon net render/gl source/camera source/drivers",
      "hub/server"},

@@ -226,7 +226,7 @@ Status run_hub(const HubFlags& flags) {
   options.recordings = recorders;
   options.on_room_in_use = [&, config = plan->config](const std::string& room) {
     if (config.align && config.nats_servers.empty()) aligners.start(room);
-    if (config.record && recorders) (void)recorders->start(room);
+    if (config.record && recorders) (void)recorders->start(room, "");
   };
   options.open_backplane = backplane_of(*plan, aligners, log);
   auto server = hub::HubServer::open(std::move(options));

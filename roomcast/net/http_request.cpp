@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/net/http_request.h"
 
+#include <cctype>
 #include <charconv>
 
 #include <boost/beast/core/string.hpp>
@@ -32,6 +33,20 @@ std::string percent_decoded(std::string_view text) {
     plain += text[i];
   }
   return plain;
+}
+
+std::string percent_encoded(std::string_view text) {
+  constexpr char kHex[] = "0123456789ABCDEF";
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) != 0 || c == '-' || c == '_' || c == '.') {
+      out += c;
+    } else {
+      out += {'%', kHex[byte >> 4], kHex[byte & 15]};
+    }
+  }
+  return out;
 }
 
 }  // namespace roomcast::net

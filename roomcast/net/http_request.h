@@ -26,4 +26,8 @@ using Respond = std::function<void(HttpResponse)>;
 /// "my%20lab" -> "my lab". Invalid escapes are kept unchanged.
 [[nodiscard]] std::string percent_decoded(std::string_view text);
 
+/// "my lab" -> "my%20lab": letters, digits, - _ . stay. The result is the same in every part of an
+/// address.
+[[nodiscard]] std::string percent_encoded(std::string_view text);
+
 }  // namespace roomcast::net

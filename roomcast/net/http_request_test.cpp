@@ -31,5 +31,10 @@ TEST(HttpRequest, escapes_are_resolved_and_the_rest_stays) {
   EXPECT_EQ(percent_decoded("a%2Fb"), "a/b");
 }
 
+TEST(HttpRequest, what_is_escaped_is_what_it_was_again) {
+  EXPECT_EQ(percent_encoded("my lab/\n\"1\".mcap"), "my%20lab%2F%0A%221%22.mcap");
+  EXPECT_EQ(percent_decoded(percent_encoded("caf\xC3\xA9 %41")), "caf\xC3\xA9 %41");
+}
+
 }  // namespace
 }  // namespace roomcast::net

@@ -14,9 +14,24 @@
 
 namespace roomcast::net {
 
+/// Letters from a to z, again and again; those from `ends_at` on cannot be read.
+class Alphabets final : public LongBody {
+ public:
+  Alphabets(std::uint64_t size, std::uint64_t ends_at) : size_(size), ends_at_(ends_at) {}
+  [[nodiscard]] std::uint64_t size() const override { return size_; }
+  [[nodiscard]] Status read(std::uint64_t offset, std::span<std::uint8_t> out) const override {
+    if (offset + out.size() > ends_at_) return Error{ErrorCode::kMalformed, "it ends too early"};
+    for (auto& letter : out) letter = static_cast<std::uint8_t>('a' + offset++ % 26);
+    return {};
+  }
+
+ private:
+  std::uint64_t size_, ends_at_;
+};
+
 class HttpServerTest : public LoopbackTest {
  protected:
-  /// Answers /page, /large and /squeezed, and accepts every WebSocket by default.
+  /// Answers /page, /large, /long, /shrunk and /squeezed, and accepts every WebSocket by default.
   HttpServerOptions options() {
     HttpServerOptions options;
     options.port = 0;
@@ -33,6 +48,11 @@ class HttpServerTest : public LoopbackTest {
   std::optional<HttpResponse> answer(std::string_view path) {
     ++times_asked_;
     if (path == "/large") return text_response(200, std::string(3'000'000, 'x'));
+    if (path == "/long" || path == "/shrunk") {
+      HttpResponse file;
+      file.long_body = std::make_shared<Alphabets>(kLong, path == "/long" ? kLong : kLong / 2);
+      return file;
+    }
     if (path == "/squeezed") {
       HttpResponse page = text_response(200, "a long page");
       page.gzip = std::make_shared<const std::string>("small");
@@ -44,6 +64,8 @@ class HttpServerTest : public LoopbackTest {
     page.etag = "\"v1\"";
     return page;
   }
+
+  static constexpr std::uint64_t kLong = 1'000'000;
 
   void listen(HttpServerOptions options) {
     auto server = HttpServer::listen(io_, std::move(options));

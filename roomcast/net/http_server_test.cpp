@@ -43,6 +43,27 @@ TEST_F(HttpServerTest, answers_head_without_the_body) {
                     EndsWith("\r\n\r\n")));
 }
 
+TEST_F(HttpServerTest, sends_a_long_body_in_pieces_and_keeps_the_connection) {
+  listen();
+  const std::string answer = exchange(request("GET", "/long", "") + request("GET", "/page"));
+  const auto begin = answer.find("\r\n\r\n") + 4;
+  ASSERT_GT(answer.size(), begin + kLong);
+  EXPECT_THAT(answer, HasSubstr("Content-Length: 1000000\r\n"));
+  for (std::uint64_t i = 0; i < kLong; i += 999)
+    EXPECT_EQ(answer[begin + i], static_cast<char>('a' + i % 26)) << i;
+  EXPECT_THAT(answer.substr(begin + kLong),
+              AllOf(StartsWith("HTTP/1.1 200 OK"), EndsWith("a page")));
+  EXPECT_THAT(exchange(request("HEAD", "/long")),
+              AllOf(HasSubstr("Content-Length: 1000000\r\n"), EndsWith("\r\n\r\n")));
+}
+
+TEST_F(HttpServerTest, breaks_off_a_long_body_that_has_become_shorter) {
+  listen();
+  const std::string answer = exchange(request("GET", "/shrunk", ""));
+  EXPECT_THAT(answer, StartsWith("HTTP/1.1 200 OK"));
+  EXPECT_LT(answer.size(), kLong);
+}
+
 TEST_F(HttpServerTest, answers_404_405_and_400) {
   listen();
   EXPECT_THAT(exchange(request("GET", "/nothing")), StartsWith("HTTP/1.1 404 "));

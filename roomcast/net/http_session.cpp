@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/dispatch.hpp>
@@ -49,6 +50,8 @@ std::string_view path_of(beast::string_view target) {
   return whole.substr(0, whole.find('?'));
 }
 
+constexpr std::uint64_t kPieceBytes = 256 << 10;  // of a long body, in memory at a time
+
 constexpr std::string_view kSpeaksTls =
     "HTTP/1.1 400 Bad Request\r\n"
     "Content-Type: text/plain; charset=utf-8\r\n"
@@ -89,7 +92,8 @@ void set_fields(EmptyResponse& message, const HttpResponse& response, bool keep_
   for (const auto& [name, value] : response.headers) message.set(name, value);
 }
 
-std::size_t size_of(const HttpResponse& response) {
+std::uint64_t size_of(const HttpResponse& response) {
+  if (response.long_body != nullptr) return response.long_body->size();
   return response.body == nullptr ? 0 : response.body->size();
 }
 
@@ -262,6 +266,15 @@ void HttpSession::send(HttpResponse response, bool keep_alive) {
   const auto header = header_of(response, keep_alive);
   if (response.status == 304 || response.status == 204 || request.method() == http::verb::head) {
     response.body = nullptr;
+    response.long_body = nullptr;
+  }
+  if (response.long_body != nullptr) {
+    return write(header, nullptr,
+                 [self = shared_from_this(), body = std::move(response.long_body),
+                  keep_alive](ErrorCode error) {
+                   if (error) return self->abort();
+                   self->write_piece(body, 0, keep_alive);
+                 });
   }
   write(header, std::move(response.body), [self = shared_from_this(), keep_alive](ErrorCode error) {
     self->on_written(error, keep_alive);
@@ -282,6 +295,24 @@ void HttpSession::write(const EmptyResponse& header, std::shared_ptr<const std::
       stream_, buffers,
       [head = std::move(head), body = std::move(body), on_written = std::move(on_written)](
           ErrorCode error, std::size_t) { on_written(error); });
+}
+
+/// The time limit of an answer applies to each piece.
+void HttpSession::write_piece(std::shared_ptr<const LongBody> body, std::uint64_t offset,
+                              bool keep_alive) {
+  if (!stream_.is_open()) return;
+  const std::uint64_t left = body->size() - offset;
+  if (left == 0) return on_written({}, keep_alive);
+  auto piece = std::make_shared<std::vector<std::uint8_t>>(std::min(left, kPieceBytes));
+  if (!body->read(offset, *piece)) return abort();
+  abort_after(options_->response_within);
+  const auto buffer = asio::buffer(*piece);
+  asio::async_write(stream_, buffer,
+                    [self = shared_from_this(), body = std::move(body), piece = std::move(piece),
+                     offset, keep_alive](ErrorCode error, std::size_t written) {
+                      if (error) return self->abort();
+                      self->write_piece(body, offset + written, keep_alive);
+                    });
 }
 
 void HttpSession::on_written(ErrorCode error, bool keep_alive) {

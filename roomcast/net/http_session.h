@@ -62,6 +62,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   [[nodiscard]] bool wants_more() const;
   void write(const EmptyResponse& header, std::shared_ptr<const std::string> body,
              std::function<void(ErrorCode)> on_written);
+  void write_piece(std::shared_ptr<const LongBody> body, std::uint64_t offset, bool keep_alive);
   void on_written(ErrorCode error, bool keep_alive);
   void say_goodbye();
 

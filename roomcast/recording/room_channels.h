@@ -11,6 +11,7 @@ inline constexpr std::string_view kMetadataName = "roomcast";
 inline constexpr std::string_view kFormatVersion = "1";
 
 inline constexpr std::string_view kExportKey = "export";  // key in the kMetadataName record
+inline constexpr std::string_view kByKey = "by";          // likewise
 inline constexpr std::string_view kForbidden = "no";
 
 inline constexpr std::string_view kRosterTopic = "/room/roster";

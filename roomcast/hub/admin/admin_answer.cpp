@@ -168,6 +168,15 @@ nlohmann::json recording_json(const RoomRecording& recording) {
   return json;
 }
 
+Json kept_recording_json(const KeptRecording& recording) {
+  Json json = {{"name", recording.name},         {"state", name_of(recording.state)},
+               {"bytes", recording.bytes},       {"seconds", recording.seconds},
+               {"began_at", recording.began_at}, {"sensors", recording.sensors}};
+  if (!recording.by.empty()) json["by"] = recording.by;
+  if (!recording.problem.empty()) json["problem"] = recording.problem;
+  return json;
+}
+
 Json token_json(const IssuedToken& token) {
   return {{"id", token.claims.id},
           {"room", token.claims.grant.room},

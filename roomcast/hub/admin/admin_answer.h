@@ -30,6 +30,7 @@ namespace roomcast::hub {
 [[nodiscard]] nlohmann::json sensor_json(const SensorStats& sensor, const std::string& address);
 [[nodiscard]] nlohmann::json viewer_json(const ViewerStats& viewer, const std::string& address);
 [[nodiscard]] nlohmann::json recording_json(const RoomRecording& recording);
+[[nodiscard]] nlohmann::json kept_recording_json(const KeptRecording& recording);
 [[nodiscard]] nlohmann::json token_json(const IssuedToken& token);
 
 }  // namespace roomcast::hub

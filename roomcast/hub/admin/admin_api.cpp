@@ -33,10 +33,6 @@ net::HttpResponse is_nowhere(NoRoute reason) {
   return error_answer(404, "not_found", "there is nothing at this address");
 }
 
-net::HttpResponse keeps_no_recordings() {
-  return error_answer(409, "conflict", "this hub has no folder for recordings");
-}
-
 /// Nothing: the body is not a JSON object.
 std::optional<Json> object_in(const std::string& body) {
   Json json = Json::parse(body, nullptr, false);
@@ -80,6 +76,8 @@ void AdminApi::apply(const Call& call) {
       return open_room(call);
     case AdminCall::kRoom:
       return room(call);
+    case AdminCall::kDownload:
+      return download(call);
     case AdminCall::kListTokens:
       return list_tokens(call);
     case AdminCall::kMakeToken:
@@ -112,14 +110,10 @@ void AdminApi::carry_out_in_room(const Call& call) {
       return list_viewers(call);
     case AdminCall::kChangeViewer:
       return change_viewer(call);
-    case AdminCall::kRecording:
-      return recording(call);
-    case AdminCall::kStartRecording:
-      return start_recording(call);
-    case AdminCall::kStopRecording:
-      return stop_recording(call);
-    default:
+    case AdminCall::kEndViewer:
       return end_viewer(call);
+    default:
+      return carry_out_on_recordings(call);
   }
 }
 
@@ -271,36 +265,6 @@ void AdminApi::forget_sensor(const Call& call) {
       [call](const Status& forgotten) {
         call.respond(forgotten ? no_content() : error_answer(forgotten.error()));
       });
-}
-
-// ---- recordings
-
-void AdminApi::recording(const Call& call) const {
-  const std::string& room = call.parameter(0);
-  const RoomRecording now = recordings_ == nullptr ? RoomRecording{} : recordings_->now(room);
-  call.respond(json_answer(200, recording_json(now)));
-}
-
-void AdminApi::start_recording(const Call& call) {
-  const std::string& room = call.parameter(0);
-  if (recordings_ == nullptr) return call.respond(keeps_no_recordings());
-  if (registry_.find(room)->record == AccessRule::kNobody) {
-    return call.respond(
-        error_answer(403, "wrong_role", "the settings of this room forbid recording"));
-  }
-  if (!recordings_->start(room)) {
-    return call.respond(error_answer(409, "conflict", "this room is being recorded already"));
-  }
-  call.respond(json_answer(201, recording_json(recordings_->now(room))));
-}
-
-void AdminApi::stop_recording(const Call& call) {
-  const std::string& room = call.parameter(0);
-  if (recordings_ == nullptr) return call.respond(keeps_no_recordings());
-  if (!recordings_->stop(room)) {
-    return call.respond(error_answer(409, "conflict", "this room is not being recorded"));
-  }
-  call.respond(json_answer(200, recording_json(recordings_->now(room))));
 }
 
 // ---- tokens

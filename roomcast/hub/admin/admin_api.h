@@ -14,6 +14,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/hub/admin/admin_auth.h"
 #include "roomcast/hub/admin/admin_routes.h"
+#include "roomcast/hub/admin/download_links.h"
 #include "roomcast/hub/runtime/room_recordings.h"
 #include "roomcast/hub/runtime/room_registry.h"
 #include "roomcast/hub/store/store_worker.h"
@@ -55,9 +56,16 @@ class AdminApi {
   void change_viewer(const Call& call);
   void end_viewer(const Call& call);
   [[nodiscard]] std::optional<ViewerStats> viewer_of(const Call& call) const;
+  void carry_out_on_recordings(const Call& call);
   void recording(const Call& call) const;
   void start_recording(const Call& call);
   void stop_recording(const Call& call);
+  void list_recordings(const Call& call) const;
+  void recording_file(const Call& call) const;
+  void rename_recording(const Call& call) const;
+  void delete_recording(const Call& call) const;
+  void make_download(const Call& call);
+  void download(const Call& call);
   void list_tokens(const Call& call);
   void make_token(const Call& call);
   void revoke_token(const Call& call);
@@ -66,6 +74,7 @@ class AdminApi {
   StoreWorker& store_worker_;
   const std::string version_;
   RoomRecordings* const recordings_;
+  DownloadLinks downloads_;
   AdminAuth auth_;
   SteadyClock clock_;
   const HostTime started_ = clock_.now();

@@ -1,101 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/hub/admin/admin_api.h"
 
-#include <map>
-
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
+#include "roomcast/hub/admin/admin_api_fixture.h"
 
 namespace roomcast::hub {
 namespace {
 
-using Json = nlohmann::json;
 namespace pb = wire::pb;
-
-struct Answer {
-  int status = 0;
-  Json body;
-  [[nodiscard]] std::string code() const { return body["error"]["code"]; }
-};
-
-/// Starts and stops at once.
-class FakeRecordings final : public RoomRecordings {
- public:
-  Status start(const std::string& room) override {
-    if (rooms[room].state == RecordingState::kOn) return busy();
-    rooms[room] = {.state = RecordingState::kOn, .file = room + ".mcap", .problem = ""};
-    return {};
-  }
-  Status stop(const std::string& room) override {
-    if (rooms[room].state != RecordingState::kOn) return busy();
-    rooms[room].state = RecordingState::kOff;
-    return {};
-  }
-  [[nodiscard]] RoomRecording now(const std::string& room) const override {
-    const auto found = rooms.find(room);
-    return found == rooms.end() ? RoomRecording{} : found->second;
-  }
-
-  std::map<std::string, RoomRecording> rooms;
-
- private:
-  static Error busy() { return {ErrorCode::kInvalidArgument, "not now"}; }
-};
-
-class QuietConnection final : public Connection {
- public:
-  using Connection::Connection;
-  void accept(Role, RoomId) override {}
-  void deliver(ControlFanOut&) override {}
-  void disconnect(pb::ErrorCode, const std::string&) override {}
-};
-
-class AdminApiTest : public testing::Test {
- protected:
-  AdminApiTest() {
-    registry.open({.name = "lab", .view = AccessRule::kToken}, {});
-    registry.open({.name = "cellar", .listed = false, .view = AccessRule::kToken}, {});
-  }
-
-  Answer ask(const std::string& method, const std::string& path, const std::string& token = "",
-             const Json& body = nullptr) {
-    net::HttpRequest request{.method = method,
-                             .path = "/api/v1" + path,
-                             .authorization = token.empty() ? "" : "Bearer " + token,
-                             .body = body.is_null() ? "" : body.dump(),
-                             .peer = "10.0.0.7"};
-    std::optional<net::HttpResponse> response;
-    asked->answer(request, [&](net::HttpResponse answer) { response = std::move(answer); });
-    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(5);
-    while (!response && std::chrono::steady_clock::now() < give_up) {
-      io.run_one_for(std::chrono::milliseconds(100));
-      io.restart();
-    }
-    EXPECT_TRUE(response) << method << " " << path;
-    return {response->status, Json::parse(*response->body, nullptr, false)};
-  }
-
-  std::string token(const std::string& room, TokenRole role) {
-    const Answer made =
-        ask("POST", "/tokens", hub_admin, {{"room", room}, {"role", std::string(name_of(role))}});
-    return made.body.value("token", "");
-  }
-
-  boost::asio::io_context io;
-  std::unique_ptr<HubStore> store = *HubStore::open(std::nullopt);
-  const std::string hub_admin = store->sign_own();
-  StoreWorker store_worker{std::move(store), io};
-  std::vector<std::unique_ptr<Shard>> shards;
-  RoomRegistry registry{
-      {.hub_version = "test", .configured_rooms = {"lab"}}, io, store_worker, shards};
-  FakeRecordings recordings;
-  std::map<std::string, std::string, std::less<>> logged;  // from the last line with fields
-  AdminApi api{registry, store_worker, "test", &recordings,
-               [this](LogLevel, std::string_view, LogFields fields) {
-                 for (const auto& [key, value] : fields) logged[std::string(key)] = value;
-               }};
-  AdminApi* asked = &api;
-};
 
 TEST_F(AdminApiTest, logs_changes_and_refusals) {
   const Answer viewer = ask("POST", "/tokens", hub_admin, {{"room", "lab"}, {"role", "viewer"}});
@@ -292,30 +203,6 @@ TEST_F(AdminApiTest, an_offline_sensor_can_be_forgotten) {
   EXPECT_EQ(ask("DELETE", "/rooms/registry/sensors/left", hub_admin).status, 204);
   EXPECT_EQ(ask("DELETE", "/rooms/registry/sensors/left", hub_admin).code(), "not_found");
   EXPECT_TRUE(kept && kept->ok());
-}
-
-TEST_F(AdminApiTest, a_room_is_recorded_from_start_to_stop) {
-  EXPECT_EQ(ask("GET", "/rooms/lab/recording", hub_admin).body["state"], "off");
-  EXPECT_EQ(ask("DELETE", "/rooms/lab/recording", hub_admin).code(), "conflict");
-  const Answer started = ask("POST", "/rooms/lab/recording", hub_admin);
-  EXPECT_EQ(started.status, 201);
-  EXPECT_EQ(started.body["state"], "on");
-  EXPECT_EQ(started.body["file"], "lab.mcap");
-  EXPECT_EQ(ask("POST", "/rooms/lab/recording", hub_admin).code(), "conflict");
-  EXPECT_EQ(ask("DELETE", "/rooms/lab/recording", hub_admin).body["state"], "off");
-}
-
-TEST_F(AdminApiTest, an_unrecordable_room_is_not_recorded) {
-  ask("PATCH", "/rooms/lab", hub_admin, {{"record", "nobody"}});
-  EXPECT_EQ(ask("POST", "/rooms/lab/recording", hub_admin).code(), "wrong_role");
-  EXPECT_TRUE(recordings.rooms.empty());
-}
-
-TEST_F(AdminApiTest, a_hub_without_recorder_refuses_to_record) {
-  AdminApi without{registry, store_worker, "test", nullptr};
-  asked = &without;
-  EXPECT_EQ(ask("GET", "/rooms/lab/recording", hub_admin).body["state"], "off");
-  EXPECT_EQ(ask("POST", "/rooms/lab/recording", hub_admin).code(), "conflict");
 }
 
 TEST_F(AdminApiTest, the_hub_reports_its_state) {

@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/hub/admin/token_request.h"
 
-#include <cctype>
+#include "roomcast/net/http_request.h"
 
 namespace roomcast::hub {
 
 namespace {
 
 using Json = nlohmann::json;
-
-std::string percent_encoded(const std::string& text) {
-  constexpr char kHex[] = "0123456789ABCDEF";
-  std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (std::isalnum(byte) != 0 || c == '-' || c == '_' || c == '.') {
-      out += c;
-    } else {
-      out += {'%', kHex[byte >> 4], kHex[byte & 15]};
-    }
-  }
-  return out;
-}
 
 }  // namespace
 
@@ -65,9 +51,9 @@ Result<Json> make_token_for(const TokenRequest& request, HubStore& store) {
 }
 
 std::string link_fragment(const std::string& room, const std::string& code) {
-  const std::string of_code = "code=" + percent_encoded(code);
+  const std::string of_code = "code=" + net::percent_encoded(code);
   if (room == kAllRooms) return "#" + of_code;
-  return "#room=" + percent_encoded(room) + "&" + of_code;
+  return "#room=" + net::percent_encoded(room) + "&" + of_code;
 }
 
 }  // namespace roomcast::hub

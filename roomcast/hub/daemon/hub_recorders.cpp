@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/hub/daemon/hub_recorders.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <boost/asio/post.hpp>
@@ -17,7 +18,10 @@ using hub::RecordingState;
 }  // namespace
 
 HubRecorders::HubRecorders(std::filesystem::path folder, LogSink log)
-    : folder_(std::move(folder)), log_(std::move(log)), worker_([this] { orders_.run(); }) {}
+    : folder_(std::move(folder)),
+      log_(std::move(log)),
+      worker_([this] { orders_.run(); }),
+      kept_(folder_, [this](const std::filesystem::path& file) { return is_running(file); }) {}
 
 HubRecorders::~HubRecorders() {
   keep_open_.reset();
@@ -57,7 +61,16 @@ hub::RoomRecording HubRecorders::now(const std::string& room) const {
   return found == recordings_.end() ? hub::RoomRecording{} : current_status(found->second);
 }
 
-Status HubRecorders::start(const std::string& room) {
+bool HubRecorders::is_running(const std::filesystem::path& file) const {
+  const std::lock_guard lock(mutex_);
+  return std::ranges::any_of(recordings_, [&](const auto& entry) {
+    const hub::RoomRecording status = current_status(entry.second);
+    return status.state != RecordingState::kOff && status.state != RecordingState::kFailed &&
+           status.file == file.string();
+  });
+}
+
+Status HubRecorders::start(const std::string& room, const std::string& by) {
   const std::lock_guard lock(mutex_);
   Recording& recording = recordings_[room];
   const RecordingState state = current_status(recording).state;
@@ -67,9 +80,9 @@ Status HubRecorders::start(const std::string& room) {
   recording.status = {.state = RecordingState::kStarting, .file = {}, .problem = {}};
   // A failed recorder is destroyed on the worker, too, because that may wait for the disk.
   std::shared_ptr<recording::Recorder> before = std::move(recording.recorder);
-  boost::asio::post(orders_, [this, room, before = std::move(before)]() mutable {
+  boost::asio::post(orders_, [this, room, by, before = std::move(before)]() mutable {
     before.reset();
-    open(room);
+    open(room, by);
   });
   return {};
 }
@@ -88,7 +101,7 @@ Status HubRecorders::stop(const std::string& room) {
 }
 
 Result<std::unique_ptr<recording::Recorder>> HubRecorders::open_recorder(
-    const std::string& room, const std::filesystem::path& file) const {
+    const std::string& room, const std::string& by, const std::filesystem::path& file) const {
   recording::RecorderOptions options;
   {
     const std::lock_guard lock(mutex_);
@@ -97,15 +110,16 @@ Result<std::unique_ptr<recording::Recorder>> HubRecorders::open_recorder(
   }
   options.room = room;
   options.path = file;
+  options.by = by;
   options.log = log_;
   return recording::Recorder::open(std::move(options));
 }
 
-void HubRecorders::open(const std::string& room) {
+void HubRecorders::open(const std::string& room, const std::string& by) {
   std::error_code error;
   if (!std::filesystem::exists(folder_, error)) (void)io::make_private_folder(folder_, {});
   const auto file = io::next_free_path(folder_, io::file_stem(room), ".mcap");
-  auto recorder = file ? open_recorder(room, *file)
+  auto recorder = file ? open_recorder(room, by, *file)
                        : Result<std::unique_ptr<recording::Recorder>>(file.error());
   const std::lock_guard lock(mutex_);
   Recording& recording = recordings_[room];

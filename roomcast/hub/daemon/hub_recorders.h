@@ -17,6 +17,7 @@
 
 #include "roomcast/core/log.h"
 #include "roomcast/hub/daemon/hub_aligners.h"
+#include "roomcast/hub/daemon/recording_folder.h"
 #include "roomcast/hub/runtime/room_recordings.h"
 #include "roomcast/recording/recorder/recorder.h"
 
@@ -34,9 +35,10 @@ class HubRecorders final : public hub::RoomRecordings {
   /// The hub's certificate was renewed.
   void trust(const net::Fingerprint& certificate);
 
-  Status start(const std::string& room) override;
+  Status start(const std::string& room, const std::string& by) override;
   Status stop(const std::string& room) override;
   [[nodiscard]] hub::RoomRecording now(const std::string& room) const override;
+  [[nodiscard]] hub::KeptRecordings& kept() override { return kept_; }
 
  private:
   struct Recording {
@@ -48,10 +50,11 @@ class HubRecorders final : public hub::RoomRecordings {
   [[nodiscard]] static hub::RoomRecording current_status(const Recording& recording);
 
   // Called on the worker.
-  void open(const std::string& room);
+  void open(const std::string& room, const std::string& by);
   void finish(const std::string& room, recording::Recorder& recorder);
   Result<std::unique_ptr<recording::Recorder>> open_recorder(
-      const std::string& room, const std::filesystem::path& file) const;
+      const std::string& room, const std::string& by, const std::filesystem::path& file) const;
+  [[nodiscard]] bool is_running(const std::filesystem::path& file) const;
 
   const std::filesystem::path folder_;
   const LogSink log_;
@@ -62,7 +65,8 @@ class HubRecorders final : public hub::RoomRecordings {
   boost::asio::io_context orders_{1};            // tasks of the worker; at most one per room
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> keep_open_ =
       boost::asio::make_work_guard(orders_);
-  std::jthread worker_;  // last: uses all of the above
+  std::jthread worker_;  // uses all of the above
+  RecordingFolder kept_;
 };
 
 }  // namespace roomcast::hub::daemon

@@ -40,7 +40,7 @@ class HubRecordersTest : public testing::Test {
 
 TEST_F(HubRecordersTest, each_recording_has_its_own_file) {
   for (const char* name : {"roomcast-room-0001.mcap", "roomcast-room-0002.mcap"}) {
-    ASSERT_TRUE(recorders_.start("room").ok());
+    ASSERT_TRUE(recorders_.start("room", "Ada").ok());
     const auto on = settled();
     ASSERT_EQ(on.state, RecordingState::kOn) << on.problem;
     EXPECT_EQ(std::filesystem::path(on.file).filename(), name);
@@ -55,22 +55,22 @@ TEST_F(HubRecordersTest, each_recording_has_its_own_file) {
 
 TEST_F(HubRecordersTest, refuses_to_start_twice_or_stop_nothing) {
   EXPECT_FALSE(recorders_.stop("room").ok());
-  ASSERT_TRUE(recorders_.start("room").ok());
-  EXPECT_FALSE(recorders_.start("room").ok());
+  ASSERT_TRUE(recorders_.start("room", "Ada").ok());
+  EXPECT_FALSE(recorders_.start("room", "Ada").ok());
   ASSERT_EQ(settled().state, RecordingState::kOn);
-  EXPECT_FALSE(recorders_.start("room").ok());
+  EXPECT_FALSE(recorders_.start("room", "Ada").ok());
 }
 
 TEST_F(HubRecordersTest, a_failed_recording_has_its_reason_and_can_be_restarted) {
   std::filesystem::create_directories(folder_.path());
   const auto in_the_way = folder_.path() / "recordings";
   std::filesystem::create_symlink("/dev/null/nowhere", in_the_way);
-  ASSERT_TRUE(recorders_.start("room").ok());
+  ASSERT_TRUE(recorders_.start("room", "Ada").ok());
   const auto failed = settled();
   EXPECT_EQ(failed.state, RecordingState::kFailed);
   EXPECT_NE(failed.problem.find("recordings"), std::string::npos) << failed.problem;
   std::filesystem::remove(in_the_way);
-  ASSERT_TRUE(recorders_.start("room").ok());
+  ASSERT_TRUE(recorders_.start("room", "Ada").ok());
   EXPECT_EQ(settled().state, RecordingState::kOn);
 }
 

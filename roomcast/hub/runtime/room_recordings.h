@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "roomcast/core/result.h"
+#include "roomcast/hub/runtime/kept_recordings.h"
 
 namespace roomcast::hub {
 
@@ -41,11 +42,14 @@ struct RoomRecording {
 class RoomRecordings {
  public:
   virtual ~RoomRecordings() = default;
-  /// kInvalidArgument: the room is being recorded already.
-  virtual Status start(const std::string& room) = 0;
+  /// `by`: who wants it, for the file; may be empty. kInvalidArgument: the room is being recorded
+  /// already.
+  virtual Status start(const std::string& room, const std::string& by) = 0;
   /// kInvalidArgument: it is not being recorded.
   virtual Status stop(const std::string& room) = 0;
   [[nodiscard]] virtual RoomRecording now(const std::string& room) const = 0;
+  /// The files made so far.
+  [[nodiscard]] virtual KeptRecordings& kept() = 0;
 };
 
 }  // namespace roomcast::hub

@@ -119,11 +119,13 @@ HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubStore> store,
                                       options_.recordings.get(), options_.log);
 }
 
-// The store worker goes first: its work ends, and its last answers go to a loop that still exists.
+// The store worker and questions about recordings go first: their work ends, and their last answers
+// go to a loop that still exists.
 // The rooms' loop goes before the accept loop, because handlers pending there own HTTP sessions
 // that use the accept loop.
 HubServer::Loop::~Loop() {
   store_worker_.reset();
+  if (options_.recordings) options_.recordings->kept().settle();
   http_.reset();
   pages_.reset();
   backplane_.reset();

@@ -163,7 +163,7 @@ class Recorder::Link final : public client::HubLinkEvents {
 };
 
 void Recorder::Link::make_file(const std::string& room) {
-  auto writer = recording::RoomRecordingWriter::create(options_.path, room);
+  auto writer = recording::RoomRecordingWriter::create(options_.path, room, options_.by);
   if (!writer) return fail(writer.error());
   writer_.emplace(std::move(*writer));
   look_after_chunk();

@@ -26,6 +26,7 @@ struct RecorderOptions {
   client::Credential credential = {};
   bool bundles = false;  // also record calibration bundles, for placing; needs an admin token
   std::filesystem::path path;
+  std::string by = {};  // who started it, for the file; may be empty
   LogSink log;
   std::stop_token stop = {};  // ends the wait of open() for the hub
   /// How often the newest chunk is looked at, which goes to disk at kLongestChunk.

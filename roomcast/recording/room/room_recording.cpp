@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "roomcast/recording/room/recording_summary.h"
 #include "roomcast/recording/room_channels.h"
 #include "roomcast/wire/control_check.h"
 #include "roomcast/wire/frame_header.h"
@@ -37,7 +38,7 @@ Result<RoomRecording> RoomRecording::open(const std::filesystem::path& path) {
 Result<RoomRecording> RoomRecording::from(recording::mcap::Reader file) {
   RoomRecording recording(std::move(file));
   if (auto status = recording.read_about(); !status) return status.error();
-  if (auto status = recording.check_times(); !status) return status.error();
+  if (auto status = check_recorded_times(recording.file_); !status) return status.error();
   if (auto status = recording.read_rosters(); !status) return status.error();
   recording.find_origin();
   recording.find_sensors();
@@ -46,27 +47,11 @@ Result<RoomRecording> RoomRecording::from(recording::mcap::Reader file) {
 }
 
 Status RoomRecording::read_about() {
-  const auto about = file_.metadata(std::string(kMetadataName));
-  if (!about) {
-    const bool other = about.error().code == ErrorCode::kNotFound;
-    if (!other) return about.error();
-    return Error{ErrorCode::kUnsupported,
-                 about.error().message + ": it was not made by roomcast record"};
-  }
-  const auto version = about->find("version");
-  if (version == about->end() || version->second != kFormatVersion) {
-    return Error{ErrorCode::kUnsupported,
-                 "the recording has a later version; use a newer roomcast"};
-  }
-  if (const auto room = about->find("room"); room != about->end()) room_ = room->second;
-  const auto exporting = about->find(std::string(kExportKey));
-  may_be_exported_ = exporting == about->end() || exporting->second != kForbidden;
+  auto about = about_recording(file_);
+  if (!about) return about.error();
+  room_ = std::move(about->room);
+  may_be_exported_ = about->may_be_exported;
   return {};
-}
-
-Status RoomRecording::check_times() const {
-  if (is_plausible(start()) && is_plausible(end()) && start() <= end()) return {};
-  return Error{ErrorCode::kMalformed, "the recording has times out of range"};
 }
 
 void RoomRecording::find_origin() {

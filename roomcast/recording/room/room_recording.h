@@ -78,7 +78,6 @@ class RoomRecording {
   explicit RoomRecording(recording::mcap::Reader file) : file_(std::move(file)) {}
   Status read_about();
   Status read_rosters();
-  [[nodiscard]] Status check_times() const;
   void find_origin();
   [[nodiscard]] bool has_frames() const;
   void find_sensors();

@@ -44,9 +44,11 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
 
 }  // namespace
 
-RoomRecordingWriter::RoomRecordingWriter(recording::mcap::Writer writer, std::string room)
+RoomRecordingWriter::RoomRecordingWriter(recording::mcap::Writer writer, std::string room,
+                                         const std::string& by)
     : writer_(std::move(writer)),
       about_{{"version", std::string(kFormatVersion)}, {"room", std::move(room)}} {
+  if (!by.empty()) about_.emplace(kByKey, by);
   schemas_.frame = writer_.add_schema("roomcast.Frame", "", {});
   schemas_.roster = add_schema(writer_, *wire::pb::Roster::descriptor());
   schemas_.poses = add_schema(writer_, *wire::pb::ViewerPoses::descriptor());
@@ -56,10 +58,11 @@ RoomRecordingWriter::RoomRecordingWriter(recording::mcap::Writer writer, std::st
 }
 
 Result<RoomRecordingWriter> RoomRecordingWriter::create(const std::filesystem::path& path,
-                                                        const std::string& room) {
+                                                        const std::string& room,
+                                                        const std::string& by) {
   auto writer = recording::mcap::Writer::create(path);
   if (!writer) return writer.error();
-  RoomRecordingWriter recording(std::move(*writer), room);
+  RoomRecordingWriter recording(std::move(*writer), room, by);
   if (auto status = recording.writer_.add_metadata(kMetadataName, recording.about_); !status)
     return status.error();
   return recording;

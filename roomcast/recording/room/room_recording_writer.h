@@ -29,9 +29,10 @@ class RoomRecordingWriter {
  public:
   static constexpr std::chrono::milliseconds kLongestChunk{500};
 
-  /// kUnavailable if the file exists already or cannot be created.
+  /// `by`: who started it; may be empty. kUnavailable if the file exists already or cannot be
+  /// created.
   static Result<RoomRecordingWriter> create(const std::filesystem::path& path,
-                                            const std::string& room);
+                                            const std::string& room, const std::string& by = "");
 
   /// Marks the whole file as not to be exported, including messages added earlier.
   [[nodiscard]] Status forbid_export();
@@ -72,7 +73,7 @@ class RoomRecordingWriter {
 
   /// Counts the frames of a chunk that was just written, or was lost (`status`).
   Status settle_chunk(Status status);
-  RoomRecordingWriter(recording::mcap::Writer writer, std::string room);
+  RoomRecordingWriter(recording::mcap::Writer writer, std::string room, const std::string& by);
   Stream& stream(std::string_view topic, recording::mcap::SchemaId schema,
                  std::string_view encoding, recording::mcap::StringMap metadata = {});
   Status add(Stream& stream, std::span<const std::uint8_t> data, nanoseconds log_time,

@@ -14,6 +14,8 @@ import type { HubApi, HubSensor, HubViewer } from './hub_api';
 import { PairWatch } from './pair_watch';
 import { PeopleView } from './people_view';
 import { RecordingView } from './recording_view';
+import { RecordingsApi } from './recordings_api';
+import { RecordingsView } from './recordings_view';
 import { RoomView } from './room_view';
 import { SensorCards } from './sensor_cards';
 import { Tabs } from './tabs';
@@ -21,6 +23,7 @@ import './console.css';
 
 const sample_ms = 1000;
 const askEvery = 2; // samples
+const listEvery = 10; // samples
 
 export interface ConsoleEvents {
   closed(): void;
@@ -33,6 +36,7 @@ export class Console {
   private readonly people: PeopleView;
   private readonly access: AccessView;
   private readonly recording: RecordingView;
+  private readonly recordings: RecordingsView;
   private readonly settings: RoomView;
   private readonly tabs: Tabs;
   private readonly pairs = new PairWatch();
@@ -56,7 +60,8 @@ export class Console {
       mute: (viewer, muted) => void this.mute(viewer, muted),
     });
     this.access = new AccessView(api, room, hubAddress);
-    this.recording = new RecordingView(api, room);
+    this.recordings = new RecordingsView(new RecordingsApi(api, room));
+    this.recording = new RecordingView(api, room, () => void this.recordings.refresh());
     this.settings = new RoomView(api, room);
     this.tabs = new Tabs(this.tabList(), (id) => this.tabChosen(id));
     this.close.addEventListener('click', () => this.setOpen(false));
@@ -105,6 +110,7 @@ export class Console {
       { id: 'sensors', label: texts.tabs.sensors, content: this.cards.root },
       { id: 'alignment', label: texts.tabs.alignment, content: this.alignment.root },
       { id: 'people', label: texts.tabs.people, content: this.people.root },
+      { id: 'recordings', label: texts.tabs.recordings, content: this.recordings.root },
       { id: 'access', label: texts.tabs.access, content: this.access.root },
       { id: 'room', label: texts.tabs.room, content: this.settings.root },
     ];
@@ -112,12 +118,13 @@ export class Console {
 
   private setAdmin(isAdmin: boolean): void {
     this.isAdmin = isAdmin;
-    for (const id of ['access', 'room']) this.tabs.setOffered(id, isAdmin);
+    for (const id of ['recordings', 'access', 'room']) this.tabs.setOffered(id, isAdmin);
     this.recording.root.hidden = !isAdmin;
   }
 
   private tabChosen(id: string): void {
     if (!this.isAdmin || !this.open) return;
+    if (id === 'recordings') void this.recordings.refresh();
     if (id === 'access') void this.access.refresh();
     if (id === 'room') void this.settings.refresh();
   }
@@ -131,6 +138,7 @@ export class Console {
       void this.ask();
       void this.recording.refresh();
     }
+    if (this.samples % listEvery === 0 && this.tabs.current === 'recordings') this.tabChosen('recordings');
     this.pairs.step(entries);
     this.alignment.show(entries, this.pairs.pairs);
     this.showPeople();

@@ -198,7 +198,8 @@ export class HubApi {
     return this.ask('DELETE', `/tokens/${encodeURIComponent(id)}`);
   }
 
-  private async ask<Answer>(method: Method, path: string, body?: object): Promise<Answer> {
+  /** `path` is below the interface's own. */
+  async ask<Answer>(method: Method, path: string, body?: object): Promise<Answer> {
     const headers: Record<string, string> = {};
     if (this.token()) headers.Authorization = `Bearer ${this.token()}`;
     if (body) headers['Content-Type'] = 'application/json';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The console's recording tab: starts and stops the hub's recording of the room.
+// The console's bar: starts and stops the hub's recording of the room.
 import { element, setText } from '../panel/element';
 import { duration, megabytes } from '../panel/format';
 import { consoleTexts } from '../texts';
@@ -13,11 +13,13 @@ export class RecordingView {
   private readonly said = element('span', { role: 'status' });
   private readonly figures = element('span', { class: 'note' });
   private isOn = false;
+  private shown: HubRecording['state'] | '' = '';
   private refusal = ''; // of the last click, until the next one or until a recording begins
 
   constructor(
     private readonly api: HubApi,
     private readonly room: () => string,
+    private readonly changed: () => void, // it has begun or ended
   ) {
     this.button.addEventListener('click', () => void this.toggle());
     this.root.append(this.button, this.said, this.figures);
@@ -45,6 +47,8 @@ export class RecordingView {
   }
 
   private show({ state, file, seconds, bytes, problem }: HubRecording): void {
+    if (this.shown !== '' && state !== this.shown) this.changed();
+    this.shown = state;
     this.isOn = state === 'on';
     this.button.disabled = state === 'starting' || state === 'stopping';
     setText(this.button, this.isOn ? texts.stop : texts.start);

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// RecordingFolder: the recordings in the hub's folder: FOLDER/NAME.mcap. A file belongs to the room that
+// it names itself. What was read of a file is kept until the file changes, so that a list costs a look
+// at the folder only. Links, hidden files and names that cannot be shown are passed over. Disk and
+// damaged files can take long, so a thread of its own does all of it. Threading: thread-safe.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+
+#include "roomcast/hub/runtime/kept_recordings.h"
+
+namespace roomcast::hub::daemon {
+
+class RecordingFolder final : public hub::KeptRecordings {
+ public:
+  static constexpr std::size_t kMaxListed = 1000;
+  static constexpr std::size_t kMaxNameBytes = 120;
+
+  /// `is_running`: whether a file is being written just now. Called on the worker.
+  RecordingFolder(std::filesystem::path folder,
+                  std::function<bool(const std::filesystem::path&)> is_running);
+  ~RecordingFolder() override;
+
+  void list(hub::RecordingScope scope, hub::WhenKnown<hub::RecordingList> done) override;
+  void open(hub::RecordingScope scope, std::string name,
+            hub::WhenKnown<std::shared_ptr<const net::LongBody>> done) override;
+  void rename(hub::RecordingScope scope, std::string name, std::string to,
+              hub::WhenKnown<hub::KeptRecording> done) override;
+  void remove(hub::RecordingScope scope, std::string name,
+              std::function<void(Status)> done) override;
+  void settle() override;
+
+ private:
+  /// What a change of the file changes.
+  struct Stamp {
+    std::uint64_t bytes = 0;
+    std::int64_t changed_ns = 0;
+    friend bool operator==(const Stamp&, const Stamp&) = default;
+  };
+  struct Found {
+    std::string name;
+    Stamp stamp;
+  };
+  struct Known {
+    Stamp stamp;
+    hub::KeptRecording recording;
+  };
+
+  // All of these on the worker.
+  [[nodiscard]] std::filesystem::path path_of(const std::string& name) const;
+  [[nodiscard]] static std::optional<Stamp> stamp_of(const std::filesystem::path& path);
+  [[nodiscard]] std::vector<Found> look() const;
+  [[nodiscard]] bool is_known(const Found& file) const;
+  const hub::KeptRecording& read(const Found& file);
+  hub::RecordingList list_now(const hub::RecordingScope& scope);
+  Result<hub::KeptRecording> find(const hub::RecordingScope& scope, const std::string& name);
+  Result<hub::KeptRecording> find_finished(const hub::RecordingScope& scope,
+                                           const std::string& name);
+  Result<hub::KeptRecording> rename_now(const hub::RecordingScope& scope, const std::string& name,
+                                        const std::string& to);
+  Status remove_now(const hub::RecordingScope& scope, const std::string& name);
+
+  const std::filesystem::path folder_;
+  const std::function<bool(const std::filesystem::path&)> is_running_;
+  std::map<std::string, Known> known_;  // by name
+  boost::asio::io_context orders_{1};
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> keep_open_ =
+      boost::asio::make_work_guard(orders_);
+  std::jthread worker_;  // last: uses all of the above
+};
+
+}  // namespace roomcast::hub::daemon
