@@ -134,6 +134,7 @@ void add_bench_command(CLI::App& app, Command& chosen) {
   add_abuse_bench(*bench, chosen);
   add_latency_bench(*bench, chosen);
   add_line_bench(*bench, chosen);
+  add_model_bench(*bench, chosen);
   add_real_bench(*bench, chosen);
   add_render_bench(*bench, chosen);
 }

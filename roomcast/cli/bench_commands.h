@@ -11,6 +11,7 @@ void add_align_bench(CLI::App& bench, Command& chosen);
 void add_fanout_bench(CLI::App& bench, Command& chosen);
 void add_latency_bench(CLI::App& bench, Command& chosen);
 void add_line_bench(CLI::App& bench, Command& chosen);
+void add_model_bench(CLI::App& bench, Command& chosen);
 void add_real_bench(CLI::App& bench, Command& chosen);
 void add_render_bench(CLI::App& bench, Command& chosen);
 

@@ -19,6 +19,7 @@
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/recording/export/set_writer.h"
 #include "roomcast/recording/frame_sets/frame_set_reader.h"
+#include "roomcast/recording/mesh/mesh_writer.h"
 
 namespace roomcast::cli {
 namespace {
@@ -32,6 +33,7 @@ struct ExportOptions {
   std::uint64_t every = 1;
   std::vector<float> crop;
   recording::MergedCloudOptions cloud;
+  std::vector<std::string> mesh_files = {"glb"};
   FilmCommandOptions film;
   bool json = false;
 };
@@ -40,18 +42,16 @@ nanoseconds seconds(double value) {
   return nanoseconds(static_cast<std::int64_t>(value * 1e9));
 }
 
-constexpr const char* kFilm = "video";  // has its own writer, unlike the other formats
+// They have writers of their own, unlike the other formats.
+constexpr const char *kFilm = "video", *kMesh = "mesh";
 
 recording::ExportFormat format_of(const std::string& name) {
   return *std::ranges::find(recording::kExportFormats, name,
                             [](recording::ExportFormat f) { return name_of(f); });
 }
 
-Result<std::unique_ptr<recording::SetWriter>> make_writer(const ExportOptions& options,
-                                                          const recording::FrameSetReader& reader) {
-  if (options.format != kFilm)
-    return recording::make_set_writer(format_of(options.format), options.out,
-                                      {reader.sensors(), reader.began_at()}, options.cloud);
+Result<std::unique_ptr<recording::SetWriter>> make_film_writer(
+    const ExportOptions& options, const recording::FrameSetReader& reader) {
   const double end_s =
       options.to_s > 0 ? options.to_s : std::chrono::duration<double>(reader.length()).count();
   auto film = options.film.film(end_s - options.from_s);
@@ -59,9 +59,38 @@ Result<std::unique_ptr<recording::SetWriter>> make_writer(const ExportOptions& o
   return recording::make_film(options.out, reader.sensors(), *std::move(film));
 }
 
+Result<std::unique_ptr<recording::SetWriter>> make_mesh_writer(
+    const ExportOptions& options, const recording::FrameSetReader& reader, StatusLine& line,
+    const std::stop_token& stop) {
+  recording::MeshWriterOptions mesh;
+  mesh.crop_m = options.cloud.crop_m;
+  if (options.cloud.voxel_m > 0) mesh.model.voxel_m = options.cloud.voxel_m;
+  if (mesh.model.voxel_m < model::kMinVoxel_m || mesh.model.voxel_m > model::kMaxVoxel_m)
+    return invalid_argument("--voxel of a mesh is 0.002 to 0.2 metres");
+  mesh.files.clear();
+  for (const std::string& name : options.mesh_files)
+    mesh.files.push_back(*std::ranges::find(recording::kMeshFiles, name, recording::ending_of));
+  const auto progress = [&line](std::string_view doing, std::size_t done, std::size_t total) {
+    line.show_progress(doing, static_cast<int>(done), static_cast<int>(total));
+  };
+  return recording::make_mesh_writer(options.out, reader.sensors(), std::move(mesh), progress,
+                                     stop);
+}
+
+Result<std::unique_ptr<recording::SetWriter>> make_writer(const ExportOptions& options,
+                                                          const recording::FrameSetReader& reader,
+                                                          StatusLine& line,
+                                                          const std::stop_token& stop) {
+  if (options.format == kFilm) return make_film_writer(options, reader);
+  if (options.format == kMesh) return make_mesh_writer(options, reader, line, stop);
+  return recording::make_set_writer(format_of(options.format), options.out,
+                                    {reader.sensors(), reader.began_at()}, options.cloud);
+}
+
 /// What an interrupted export leaves behind, and how to go on.
 Error interrupted(std::string_view format) {
   if (format == kFilm) return {ErrorCode::kClosed, "interrupted; the film ends here"};
+  if (format == kMesh) return {ErrorCode::kClosed, "interrupted; no mesh was written"};
   if (format == "ply" || format == "pcd" || format == "gltf") {
     return {ErrorCode::kClosed,
             "interrupted; run the same command again to write the missing files"};
@@ -73,8 +102,7 @@ Error interrupted(std::string_view format) {
 
 /// Copies every n-th set from `reader` to `writer`, until the end, `to_s`, or a signal.
 Status copy_sets(const ExportOptions& options, recording::FrameSetReader& reader,
-                 recording::SetWriter& writer, const std::stop_token& stop) {
-  StatusLine line;
+                 recording::SetWriter& writer, StatusLine& line, const std::stop_token& stop) {
   const double end_s =
       options.to_s > 0 ? options.to_s : std::chrono::duration<double>(reader.length()).count();
   recording::FrameSet set;
@@ -103,13 +131,16 @@ void report(const ExportOptions& options, const recording::ExportTotals& totals)
                                      {"sets", totals.sets},
                                      {"kept", totals.kept},
                                      {"points", totals.points},
+                                     {"triangles", totals.triangles},
                                      {"pictures", totals.pictures}}
                           .dump(1));
     return;
   }
-  print_out("{}: {} sets written", options.out.string(), totals.sets);
+  print_out("{}: {} sets {}", options.out.string(), totals.sets,
+            options.format == kMesh ? "fused" : "written");
   if (totals.kept > 0) print_out(", {} were there already", totals.kept);
   if (totals.points > 0) print_out(", {} points", totals.points);
+  if (totals.triangles > 0) print_out(", {} triangles", totals.triangles);
   if (totals.pictures > 0) print_out(", {} pictures", totals.pictures);
   print_out("\n");
 }
@@ -124,16 +155,18 @@ Status run_export(ExportOptions options) {
   auto reader = recording::open_frame_sets(options.recording, seconds(options.from_s));
   if (!reader) return reader.error();
   if (auto status = recording::check_may_be_exported(**reader); !status) return status;
-  auto writer = make_writer(options, **reader);
+  StatusLine line;
+  auto writer = make_writer(options, **reader, line, stop.token());
   if (!writer) return writer.error();
-  Status status = copy_sets(options, **reader, **writer, stop.token());
+  Status status = copy_sets(options, **reader, **writer, line, stop.token());
   if (auto finished = (*writer)->finish(); status && !finished) status = finished;
+  if (!status && status.error().code == ErrorCode::kClosed) status = interrupted(options.format);
   const recording::ExportTotals totals = (*writer)->totals();
   if (status && totals.sets + totals.kept == 0)
     return Error{
         ErrorCode::kNotFound,
         "that part of the recording has no frames; choose other values of --from and --to"};
-  report(options, totals);
+  if (options.format != kMesh || totals.triangles > 0) report(options, totals);
   return status;
 }
 
@@ -141,6 +174,7 @@ std::vector<std::string> format_names() {
   std::vector<std::string> names;
   for (const recording::ExportFormat format : recording::kExportFormats)
     names.emplace_back(name_of(format));
+  names.emplace_back(kMesh);
   names.emplace_back(kFilm);
   return names;
 }
@@ -153,7 +187,8 @@ void add_export_command(CLI::App& app, Command& chosen) {
       app.add_subcommand("export", "Convert a recording into files for other programs");
   command->add_option("recording", options->recording, "FILE.mcap, or the folder of a rig")
       ->required();
-  command->add_option("--format", options->format, "ply, pcd, gltf, rig, tum, foxglove or video")
+  command
+      ->add_option("--format", options->format, "ply, pcd, gltf, mesh, rig, tum, foxglove or video")
       ->check(CLI::IsMember(format_names()))
       ->capture_default_str();
   command->add_option("--out", options->out, "Folder to write to")->required();
@@ -164,13 +199,19 @@ void add_export_command(CLI::App& app, Command& chosen) {
       ->check(within(1, 1'000'000));
   command
       ->add_option("--crop", options->crop,
-                   "Point clouds: only inside the box of two corners x,y,z,x,y,z (metres)")
+                   "Point clouds, mesh: only inside the box of two corners x,y,z,x,y,z (metres)")
       ->delimiter(',')
       ->expected(6);
   command
-      ->add_option("--voxel", options->cloud.voxel_m,
-                   "Point clouds: one point for each cube of this size (metres)")
+      ->add_option(
+          "--voxel", options->cloud.voxel_m,
+          "Point clouds: one point for each cube of this size; mesh: the size of its cells, "
+          "0.01 by default (metres)")
       ->check(within(0.0, 1.0));
+  command->add_option("--mesh-files", options->mesh_files, "Mesh: glb, ply, obj")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"glb", "ply", "obj"}))
+      ->capture_default_str();
   command->add_flag("--keep-doubles", options->cloud.keep_doubles,
                     "Point clouds: keep duplicate points of surfaces that several sensors see");
   add_film_options(*command, options->film);
@@ -180,6 +221,7 @@ void add_export_command(CLI::App& app, Command& chosen) {
       "normals.\n"
       "gltf: set_NNNNNN.glb, a textured mesh for each sensor. rig: a folder for each sensor.\n"
       "tum: the same with each sensor's poses in groundtruth.txt; depth in millimetres.\n"
+      "mesh: room.glb, or .ply and .obj, of all that stands still: all sensors and frames fused.\n"
       "foxglove: room.mcap with point clouds, VP9 video, calibrations and transforms.\n"
       "video: film.mp4 by ffmpeg, or pictures where that is not installed; --path FILE is\n"
       "{\"keys\": [{\"time_s\": 0, \"at\": [x,y,z], \"look\": [x,y,z]}, ...]}.\n"
@@ -188,6 +230,7 @@ void add_export_command(CLI::App& app, Command& chosen) {
       "the other formats start again and need a new folder.\n"
       "Examples:\n"
       "  roomcast export lab.mcap --format ply --out clouds --every 30 --voxel 0.01\n"
+      "  roomcast export lab.mcap --format mesh --out mesh --mesh-files glb,ply\n"
       "  roomcast export lab.mcap --format video --out film --path walk.json");
   command->callback([options, &chosen] {
     chosen = [options] { return finish("export", run_export(*options)); };

@@ -14,6 +14,7 @@ import { Program, assertFailed, run, scratchFolder } from './program.mjs';
 const require = createRequire(new URL('../../web/package.json', import.meta.url));
 const { PLYLoader } = await import(require.resolve('three/examples/jsm/loaders/PLYLoader.js'));
 const { PCDLoader } = await import(require.resolve('three/examples/jsm/loaders/PCDLoader.js'));
+const { OBJLoader } = await import(require.resolve('three/examples/jsm/loaders/OBJLoader.js'));
 const { NodeIO } = require('@gltf-transform/core');
 const validator = require('gltf-validator');
 const { createFileRegistry, fromBinary } = require('@bufbuild/protobuf');
@@ -108,6 +109,27 @@ test('gltf_is_valid_and_its_meshes_have_the_points', async (t) => {
   });
 });
 
+test('mesh_is_the_same_surface_in_every_file', async (t) => {
+  const { out, totals } = await exportRig(t, 'mesh', '--to', '0.1', '--voxel', '0.02', '--mesh-files', 'glb,ply,obj');
+  assert.deepEqual(readdirSync(out).sort(), ['room.glb', 'room.obj', 'room.ply']);
+  assert.ok(totals.triangles > 1000);
+  const report = await validator.validateBytes(new Uint8Array(readFileSync(join(out, 'room.glb'))));
+  assert.equal(report.issues.numErrors, 0, JSON.stringify(report.issues.messages));
+  assert.equal(report.info.totalTriangleCount, totals.triangles);
+  const document = await new NodeIO().read(join(out, 'room.glb'));
+  const primitive = document.getRoot().listMeshes()[0].listPrimitives()[0];
+  assert.equal(primitive.getAttribute('COLOR_0').getCount(), totals.points);
+  const ply = new PLYLoader().parse(arrayBuffer(join(out, 'room.ply')));
+  assert.equal(ply.getIndex().count, 3 * totals.triangles);
+  assert.deepEqual([...ply.getAttribute('position').array], [...primitive.getAttribute('POSITION').getArray()]);
+  const obj = new OBJLoader().parse(readFileSync(join(out, 'room.obj'), 'utf8'));
+  assert.equal(obj.children[0].geometry.getAttribute('position').count, 3 * totals.triangles);
+  const truth = truePoints(0);
+  const near = (x, y, z) => truth.some((p) => Math.hypot(p[0] - x, p[1] - y, p[2] - z) < 0.05);
+  const points = ply.getAttribute('position');
+  for (let i = 0; i < points.count; i += 97) assert.ok(near(points.getX(i), points.getY(i), points.getZ(i)), `point ${i}`);
+});
+
 test('foxglove_messages_have_the_published_schemas', async (t) => {
   const { out } = await exportRig(t, 'foxglove', '--keep-doubles', '--to', '0.3');
   const { reader, messages } = await readIndexed(join(out, 'room.mcap'));
@@ -172,6 +194,11 @@ test('refusals_state_the_reason', async (t) => {
   assertFailed(await run('export', '/no/such/recording', ...at), 1, /cannot open/);
   assertFailed(await run('export', rig, ...at, '--from', '100'), 1, /has no frames/);
   assertFailed(await run('export', rig, ...at, '--crop=0,0,0,0,0'), 2, /--help/);
+  const mesh = ['--format', 'mesh', '--out', out];
+  assertFailed(await run('export', rig, ...mesh, '--voxel', '0.0001'), 2, /--voxel of a mesh is 0\.002 to 0\.2/);
+  assertFailed(await run('export', rig, ...mesh, '--mesh-files', 'stl'), 2, /--help/);
+  assertFailed(await run('export', rig, ...mesh, '--crop=50,50,50,60,60,60'), 1, /no surface that stands still/);
+  assert.ok(!existsSync(join(out, 'room.glb')));
   mkdirSync(join(out, 'full'), { recursive: true });
   assertFailed(await run('export', rig, '--format', 'rig', '--out', out), 1, /not empty/);
   assert.ok(existsSync(out));

@@ -1,39 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/recording/export/cloud_files.h"
 
-#include <bit>
 #include <string>
-#include <string_view>
+
+#include "roomcast/recording/export/little_endian_bytes.h"
 
 namespace roomcast::recording {
-namespace {
-
-void append(std::string_view text, std::vector<std::uint8_t>& out) {
-  out.insert(out.end(), text.begin(), text.end());
-}
-
-void append(std::uint32_t value, std::vector<std::uint8_t>& out) {
-  for (int shift = 0; shift < 32; shift += 8)
-    out.push_back(static_cast<std::uint8_t>(value >> shift));
-}
-
-void append(const Eigen::Vector3f& vector, std::vector<std::uint8_t>& out) {
-  for (int i = 0; i < 3; ++i) append(std::bit_cast<std::uint32_t>(vector[i]), out);
-}
-
-}  // namespace
 
 void append_ply(const PointCloud& cloud, std::vector<std::uint8_t>& out) {
-  append("ply\nformat binary_little_endian 1.0\ncomment roomcast, metres, y up\nelement vertex " +
-             std::to_string(cloud.size()) +
-             "\nproperty float x\nproperty float y\nproperty float z\n"
-             "property float nx\nproperty float ny\nproperty float nz\n"
-             "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
-         out);
+  append_text(
+      "ply\nformat binary_little_endian 1.0\ncomment roomcast, metres, y up\nelement vertex " +
+          std::to_string(cloud.size()) +
+          "\nproperty float x\nproperty float y\nproperty float z\n"
+          "property float nx\nproperty float ny\nproperty float nz\n"
+          "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
+      out);
   out.reserve(out.size() + 27 * cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    append(cloud.points_m[i], out);
-    append(cloud.normals[i], out);
+    append_floats(cloud.points_m[i], out);
+    append_floats(cloud.normals[i], out);
     const Rgb8 color = cloud.colors[i];
     out.insert(out.end(), {color.r, color.g, color.b});
   }
@@ -41,7 +26,7 @@ void append_ply(const PointCloud& cloud, std::vector<std::uint8_t>& out) {
 
 void append_pcd(const PointCloud& cloud, std::vector<std::uint8_t>& out) {
   const std::string count = std::to_string(cloud.size());
-  append(
+  append_text(
       "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n"
       "FIELDS x y z normal_x normal_y normal_z rgb\nSIZE 4 4 4 4 4 4 4\nTYPE F F F F F F F\n"
       "COUNT 1 1 1 1 1 1 1\nWIDTH " +
@@ -49,12 +34,12 @@ void append_pcd(const PointCloud& cloud, std::vector<std::uint8_t>& out) {
       out);
   out.reserve(out.size() + 28 * cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    append(cloud.points_m[i], out);
-    append(cloud.normals[i], out);
+    append_floats(cloud.points_m[i], out);
+    append_floats(cloud.normals[i], out);
     const Rgb8 color = cloud.colors[i];
-    append(static_cast<std::uint32_t>(color.r) << 16U | static_cast<std::uint32_t>(color.g) << 8U |
-               color.b,
-           out);
+    append_u32(static_cast<std::uint32_t>(color.r) << 16U |
+                   static_cast<std::uint32_t>(color.g) << 8U | color.b,
+               out);
   }
 }
 

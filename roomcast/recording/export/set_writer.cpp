@@ -107,14 +107,6 @@ class FoxgloveFile final : public SetWriter {
   ExportTotals totals_;
 };
 
-Status make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!error) return {};
-  return Error{ErrorCode::kUnavailable,
-               "cannot make the folder " + folder.string() + ": " + error.message()};
-}
-
 Result<std::unique_ptr<SetWriter>> make_foxglove_file(const std::filesystem::path& out,
                                                       const ExportedRoom& room,
                                                       const MergedCloudOptions& cloud) {
@@ -125,6 +117,14 @@ Result<std::unique_ptr<SetWriter>> make_foxglove_file(const std::filesystem::pat
 }
 
 }  // namespace
+
+Status make_export_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error) return {};
+  return Error{ErrorCode::kUnavailable,
+               "cannot make the folder " + folder.string() + ": " + error.message()};
+}
 
 std::string_view name_of(ExportFormat format) {
   switch (format) {
@@ -149,7 +149,7 @@ Result<std::unique_ptr<SetWriter>> make_set_writer(ExportFormat format,
                                                    const ExportedRoom& room,
                                                    const MergedCloudOptions& cloud) {
   if (auto status = cloud.check(); !status) return status.error();
-  if (auto status = make_folder(out); !status) return status.error();
+  if (auto status = make_export_folder(out); !status) return status.error();
   switch (format) {
     case ExportFormat::kPly:
       return std::unique_ptr<SetWriter>(

@@ -32,10 +32,11 @@ inline constexpr std::array kExportFormats = {ExportFormat::kPly,  ExportFormat:
 [[nodiscard]] std::string_view name_of(ExportFormat format);
 
 struct ExportTotals {
-  std::uint64_t sets = 0;      // written
-  std::uint64_t kept = 0;      // existed already
-  std::uint64_t points = 0;    // of clouds
-  std::uint64_t pictures = 0;  // of a film
+  std::uint64_t sets = 0;       // written, or fused into a mesh
+  std::uint64_t kept = 0;       // existed already
+  std::uint64_t points = 0;     // of clouds, or of a mesh
+  std::uint64_t triangles = 0;  // of a mesh
+  std::uint64_t pictures = 0;   // of a film
 };
 
 class SetWriter {
@@ -52,6 +53,9 @@ struct ExportedRoom {
   std::vector<SetSensor> sensors;
   nanoseconds began_at{};  // as FrameSetReader::began_at. Formats with times give them as UTC then
 };
+
+/// Makes a folder for output, and those above it. kUnavailable if that is not possible.
+[[nodiscard]] Status make_export_folder(const std::filesystem::path& folder);
 
 /// Creates the folder `out`. kInvalidArgument as MergedCloudOptions::check; kUnavailable if it
 /// cannot be written, or is not empty although the format needs a new folder.

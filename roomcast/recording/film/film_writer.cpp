@@ -155,12 +155,8 @@ class NamedWhenWhole final : public viewer::VideoSink {
 Result<std::unique_ptr<viewer::VideoSink>> open_sink(const std::filesystem::path& out,
                                                      const FilmOptions& options) {
   const auto file = out / "film.mp4", part = out / "film.part.mp4", folder = out / "film";
+  if (auto status = make_export_folder(out); !status) return status.error();
   std::error_code error;
-  std::filesystem::create_directories(out, error);
-  if (error) {
-    return Error{ErrorCode::kUnavailable,
-                 "cannot make the folder " + out.string() + ": " + error.message()};
-  }
   for (const auto& path : {file, folder}) {
     if (std::filesystem::exists(path, error)) {
       return Error{ErrorCode::kUnavailable,

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/model/model_bench.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "bench/model/mesh_depth.h"
+#include "bench/render/drawing_cost.h"
+#include "roomcast/model/volume_mesh.h"
+#include "roomcast/recording/mesh/room_views.h"
+
+namespace roomcast::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<std::vector<StillTruth>> sensor_truths(const fs::path& rig,
+                                              const std::vector<recording::SetSensor>& sensors) {
+  const auto description = recording::read_rig_json(rig / "rig.json");
+  if (!description) return description.error();
+  std::vector<StillTruth> truths;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    auto truth = read_sensor_truth(rig, description->sensors[i], sensors[i].depth);
+    if (!truth) return truth.error();
+    truths.push_back(*std::move(truth));
+  }
+  return truths;
+}
+
+struct Gathered {
+  recording::RoomViews views;
+  std::vector<StillTruth> truths;  // of the sensors
+  double cpu_ms = 0;
+};
+
+Result<Gathered> gather(const fs::path& rig, const ModelBenchOptions& options,
+                        const std::function<void(const std::string&)>& progress) {
+  auto reader = recording::open_frame_sets(rig);
+  if (!reader) return reader.error();
+  auto truths = sensor_truths(rig, (*reader)->sensors());
+  if (!truths) return truths.error();
+  Gathered gathered{recording::RoomViews((*reader)->sensors(), options.model), *std::move(truths)};
+  recording::FrameSet set;
+  for (;;) {
+    const auto more = (*reader)->next(set);
+    if (!more) return more.error();
+    if (!*more) return gathered;
+    progress(fmt::format("{}: frame set {}", rig.string(), set.number));
+    const double before_ms = process_cpu_ms();
+    if (auto status = gathered.views.add(set); !status) return status.error();
+    gathered.cpu_ms += process_cpu_ms() - before_ms;
+    for (const recording::SetFrame& frame : set.frames)
+      add_seen(frame.pictures->depth_mm, gathered.truths[frame.sensor]);
+  }
+}
+
+ScoreFigures score(const model::RoomMesh& mesh, const std::vector<StillTruth>& truths) {
+  SurfaceScore score;
+  for (const StillTruth& truth : truths)
+    add_score(mesh_depth_m(mesh, truth.camera, truth.world_from_camera), truth, score);
+  return figures_of(std::move(score));
+}
+
+Result<ModelRow> measure(const fs::path& rig, const ModelBenchOptions& options,
+                         const std::function<void(const std::string&)>& progress) {
+  auto gathered = gather(rig, options, progress);
+  if (!gathered) return gathered.error();
+  ModelRow row;
+  row.rig = rig.lexically_normal().filename().string();
+  row.frames = gathered->views.frames();
+  row.frame_cpu_ms = gathered->cpu_ms / static_cast<double>(std::max<std::size_t>(1, row.frames));
+  progress(row.rig + ": fusing");
+  const double before_ms = process_cpu_ms();
+  const auto surfaces = gathered->views.take_surfaces();
+  row.views = surfaces.size();
+  const auto volume = model::fuse_views(surfaces, options.model);
+  if (!volume) return volume.error();
+  model::RoomMesh mesh = model::mesh_volume(*volume);
+  model::remove_small_parts(options.model.min_triangles, mesh);
+  model::color_mesh(surfaces, options.model, {}, mesh);
+  row.fuse_cpu_s = 0.001 * (process_cpu_ms() - before_ms);
+  row.volume_bytes = volume->bytes();
+  row.points = mesh.points_m.size();
+  row.triangles = mesh.triangles.size();
+  row.sensors = score(mesh, gathered->truths);
+  const auto free = read_view_truths(rig);
+  if (!free) return free.error();
+  row.free = score(mesh, *free);
+  return row;
+}
+
+}  // namespace
+
+Result<std::vector<ModelRow>> run_model_bench(
+    const ModelBenchOptions& options, const std::function<void(const std::string&)>& progress) {
+  std::vector<ModelRow> rows;
+  for (const fs::path& rig : options.rigs) {
+    auto row = measure(rig, options, progress);
+    if (!row) return row.error();
+    rows.push_back(*std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace roomcast::bench

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <ostream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "bench/model/model_bench.h"
+
+namespace roomcast::bench {
+namespace {
+
+nlohmann::json json_of(const ScoreFigures& score) {
+  return {{"median_mm", score.median_mm},
+          {"p90_mm", score.p90_mm},
+          {"coverage", score.coverage},
+          {"floating", score.floating},
+          {"pixels", score.pixels}};
+}
+
+std::string text_of(const ScoreFigures& score) {
+  if (score.pixels == 0) return "-";
+  return fmt::format("{:.1f} / {:.1f} mm, {:.1f} %, {:.2f} %", score.median_mm, score.p90_mm,
+                     100 * score.coverage, 100 * score.floating);
+}
+
+}  // namespace
+
+void print_table(const std::vector<ModelRow>& rows, std::ostream& out) {
+  out << "simulated; median / 90 % of the errors, coverage of what was seen, floating\n";
+  out << fmt::format("{:<14} {:>6} {:>32} {:>32} {:>8} {:>10} {:>9} {:>8}\n", "rig", "frames",
+                     "from the sensors", "from free viewpoints", "volume", "triangles", "frame",
+                     "fusing");
+  for (const ModelRow& row : rows) {
+    out << fmt::format("{:<14} {:>6} {:>32} {:>32} {:>5.0f} MB {:>10} {:>6.1f} ms {:>6.1f} s\n",
+                       row.rig, row.frames, text_of(row.sensors), text_of(row.free),
+                       1e-6 * static_cast<double>(row.volume_bytes), row.triangles,
+                       row.frame_cpu_ms, row.fuse_cpu_s);
+  }
+}
+
+void print_json(const std::vector<ModelRow>& rows, std::ostream& out) {
+  auto json = nlohmann::json::array();
+  for (const ModelRow& row : rows) {
+    json.push_back({{"rig", row.rig},
+                    {"views", row.views},
+                    {"frames", row.frames},
+                    {"sensors", json_of(row.sensors)},
+                    {"free", json_of(row.free)},
+                    {"volume_bytes", row.volume_bytes},
+                    {"points", row.points},
+                    {"triangles", row.triangles},
+                    {"frame_cpu_ms", row.frame_cpu_ms},
+                    {"fuse_cpu_s", row.fuse_cpu_s}});
+  }
+  out << json.dump(1) << "\n";
+}
+
+}  // namespace roomcast::bench

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/model/model_score.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomcast/recording/export/depth_points.h"
+
+namespace roomcast::bench {
+namespace {
+
+float error_at(std::vector<float>& errors_m, double share) {
+  if (errors_m.empty()) return 0;
+  const auto place = errors_m.begin() +
+                     static_cast<std::ptrdiff_t>(share * static_cast<double>(errors_m.size() - 1));
+  std::ranges::nth_element(errors_m, place);
+  return *place;
+}
+
+double share_of(std::size_t part, std::size_t whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
+}  // namespace
+
+void add_score(const Image<float>& model_m, const StillTruth& truth, SurfaceScore& score) {
+  recording::DepthPoints points(truth.camera);
+  points.set(truth.depth_mm);
+  for (int y = 0; y < truth.camera.height; ++y) {
+    for (int x = 0; x < truth.camera.width; ++x) {
+      if (!points.has(x, y)) continue;
+      const float true_m = points.z_m(x, y), drawn_m = model_m.at(x, y);
+      const float slope = std::abs(points.normal(x, y).dot(points.point_m(x, y))) / true_m;
+      const float error_m = slope * std::abs(drawn_m - true_m);
+      if (truth.seen.at(x, y) != 0) {
+        ++score.seen;
+        score.covered += drawn_m > 0 && error_m <= std::max(0.03F, 0.01F * true_m);
+        if (drawn_m > 0) score.errors_m.push_back(error_m);
+      }
+      score.drawn += drawn_m > 0;
+      score.floating += drawn_m > 0 && drawn_m < true_m - 0.05F - 0.02F * true_m;
+    }
+  }
+}
+
+ScoreFigures figures_of(SurfaceScore score) {
+  ScoreFigures figures;
+  figures.median_mm = 1000 * error_at(score.errors_m, 0.5);
+  figures.p90_mm = 1000 * error_at(score.errors_m, 0.9);
+  figures.coverage = share_of(score.covered, score.seen);
+  figures.floating = share_of(score.floating, score.drawn);
+  figures.pixels = score.seen;
+  return figures;
+}
+
+}  // namespace roomcast::bench

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is true of the still surfaces of a simulated rig, where a camera looks: their depth, and
+// which of them a sensor saw. From the sensors' own places, and from places without a sensor.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "roomcast/core/image.h"
+#include "roomcast/core/result.h"
+#include "roomcast/geometry/camera_model.h"
+#include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/recording/dataset/rig_json.h"
+
+namespace roomcast::bench {
+
+struct StillTruth {
+  CameraIntrinsics camera;
+  RigidTransform world_from_camera;
+  DepthImage depth_mm;  // 0 where nothing is, or nothing that stands still
+  MaskImage seen;       // 255 where a sensor saw that surface
+};
+
+/// Of one sensor: the median of its noise-free pictures where most of them agree; nothing is seen
+/// yet. kNotFound without a truth folder; errors of its files.
+[[nodiscard]] Result<StillTruth> read_sensor_truth(const std::filesystem::path& rig,
+                                                   const recording::RigSensorEntry& sensor,
+                                                   const CameraIntrinsics& camera);
+
+/// Adds what a frame of that sensor shows to what it saw: readings within 5 cm or 3 % of the truth.
+void add_seen(DepthView depth_mm, StillTruth& truth);
+
+/// From the free viewpoints of the rig, where the same surface is there at both instants, and a
+/// sensor sees it at both. Empty for a rig without such views.
+[[nodiscard]] Result<std::vector<StillTruth>> read_view_truths(const std::filesystem::path& rig);
+
+}  // namespace roomcast::bench

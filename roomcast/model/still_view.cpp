@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/model/still_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+namespace roomcast::model {
+namespace {
+
+/// Which share of the readings of a surface another one needs to be believed in its place.
+constexpr float kFartherShare = 0.3F, kNearerShare = 2;
+constexpr int kMinFartherCount = 3;
+/// A surface that was read in fewer frames than these, of more frames, is stray light.
+constexpr int kMinCount = 3;
+constexpr int kNoiseFrames = 30;  // the noise law is taken over in these, then every 30th
+constexpr int kAgreementStep = 4;
+constexpr double kMinAgreement = 0.6;
+constexpr float kSameStand = 0.02F;  // of the depth: the sensor has not moved
+
+Status check_pose(const RigidTransform& pose) {
+  if (!pose.rotation.allFinite() || !pose.translation_m.allFinite())
+    return invalid_argument("a sensor's pose has numbers that are not finite");
+  if (pose.translation_m.cwiseAbs().maxCoeff() > kMaxRoom_m)
+    return invalid_argument("a sensor stands more than 500 m from the room's origin");
+  return {};
+}
+
+}  // namespace
+
+Result<StillView> StillView::create(const CameraIntrinsics& camera,
+                                    const RigidTransform& world_from_depth,
+                                    const ModelOptions& options) {
+  if (auto status = camera.check(); !status) return status.error();
+  if (auto status = check_pose(world_from_depth); !status) return status.error();
+  if (auto status = options.check(); !status) return status.error();
+  const auto pixels =
+      static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
+  if (pixels > kMaxViewPixels)
+    return Error{ErrorCode::kTooLarge,
+                 "depth pictures of more than 4 million pixels are not fused"};
+  return StillView(camera, world_from_depth, options);
+}
+
+StillView::StillView(const CameraIntrinsics& camera, const RigidTransform& world_from_depth,
+                     const ModelOptions& options)
+    : camera_(camera),
+      world_from_depth_(world_from_depth),
+      options_(options),
+      pixels_(camera.width, camera.height) {}
+
+Status StillView::set_pose(const RigidTransform& world_from_depth) {
+  if (auto status = check_pose(world_from_depth); !status) return status;
+  world_from_depth_ = world_from_depth;
+  return {};
+}
+
+float StillView::sigma_mm(float depth_mm) const {
+  return sigma_mm_[static_cast<std::size_t>(codec::sigma_knot_of(static_cast<int>(depth_mm)))];
+}
+
+bool StillView::is_same(float a_mm, float b_mm) const {
+  return std::abs(a_mm - b_mm) <= options_.same_surface_sigmas * sigma_mm(std::min(a_mm, b_mm)) +
+                                      1000 * options_.same_surface_m;
+}
+
+void StillView::add(DepthView depth_mm, ColorView color, MaskView color_seen) {
+  ROOMCAST_ASSERT(depth_mm.width == camera_.width && depth_mm.height == camera_.height);
+  ROOMCAST_ASSERT(color.data == nullptr || same_size(color, depth_mm));
+  noise_.observe(depth_mm);
+  if (frames_ < kNoiseFrames || frames_ % kNoiseFrames == 0) {
+    const codec::SigmaCodes codes = noise_.table();
+    std::ranges::transform(codes, sigma_mm_.begin(), [](std::uint8_t code) {
+      return static_cast<float>(codec::sigma_of_code(code)) / 256;
+    });
+  }
+  ++frames_;
+  const bool has_seen = color_seen.data != nullptr && same_size(color_seen, depth_mm);
+  const float farthest_mm = 1000 * options_.max_range_m;
+  for (int y = 0; y < depth_mm.height; ++y) {
+    for (int x = 0; x < depth_mm.width; ++x) {
+      const auto z_mm = static_cast<float>(depth_mm.at(x, y));
+      if (z_mm == 0 || z_mm > farthest_mm) continue;
+      Pixel& pixel = pixels_.at(x, y);
+      add_reading(z_mm, pixel);
+      const bool has_color = color.data != nullptr && (!has_seen || color_seen.at(x, y) != 0);
+      if (has_color && is_same(z_mm, pixel.mean_mm)) add_color(color.at(x, y), pixel);
+    }
+  }
+}
+
+void StillView::add_reading(float z_mm, Pixel& pixel) const {
+  const auto join = [&](float& mean_mm, std::uint8_t& count) {
+    count = static_cast<std::uint8_t>(std::min(count + 1, kMaxCount));
+    mean_mm += (z_mm - mean_mm) / static_cast<float>(count);
+  };
+  if (pixel.count == 0 || is_same(z_mm, pixel.mean_mm)) {
+    join(pixel.mean_mm, pixel.count);
+    return;
+  }
+  if (pixel.other_count > 0 && !is_same(z_mm, pixel.other_mm)) {
+    --pixel.other_count;
+    return;
+  }
+  join(pixel.other_mm, pixel.other_count);
+  const bool farther = pixel.other_mm > pixel.mean_mm;
+  const float share = farther ? kFartherShare : kNearerShare;
+  // A full count says no more than "for long".
+  const auto limit = std::min(share * static_cast<float>(pixel.count), kMaxCount - 1.0F);
+  if (static_cast<float>(pixel.other_count) <= limit) return;
+  if (farther && pixel.other_count < kMinFartherCount) return;
+  std::swap(pixel.mean_mm, pixel.other_mm);
+  std::swap(pixel.count, pixel.other_count);
+  pixel.other_count = std::min<std::uint8_t>(pixel.other_count, pixel.count);
+  pixel.color_count = 0;
+}
+
+void StillView::add_color(Rgb8 color, Pixel& pixel) {
+  pixel.color_count = static_cast<std::uint8_t>(std::min(pixel.color_count + 1, kMaxCount));
+  const std::array<int, 3> levels = {color.r, color.g, color.b};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int mean = pixel.color[i];
+    pixel.color[i] =
+        static_cast<std::uint16_t>(mean + (256 * levels[i] - mean) / pixel.color_count);
+  }
+}
+
+Rgb8 StillView::color(int x, int y) const {
+  const auto level = [&](std::size_t i) {
+    return static_cast<std::uint8_t>(std::min((pixels_.at(x, y).color[i] + 128) / 256, 255));
+  };
+  return {level(0), level(1), level(2)};
+}
+
+float StillView::depth_mm(int x, int y) const {
+  const Pixel& pixel = pixels_.at(x, y);
+  return pixel.count >= std::min(kMinCount, frames_) ? pixel.mean_mm : 0;
+}
+
+bool StillView::agrees(DepthView depth_mm) const {
+  if (depth_mm.width != camera_.width || depth_mm.height != camera_.height) return false;
+  int compared = 0, same = 0;
+  for (int y = 0; y < camera_.height; y += kAgreementStep) {
+    for (int x = 0; x < camera_.width; x += kAgreementStep) {
+      const Pixel& pixel = pixels_.at(x, y);
+      const auto z_mm = static_cast<float>(depth_mm.at(x, y));
+      if (pixel.count == 0 || z_mm == 0) continue;
+      ++compared;
+      same += std::abs(z_mm - pixel.mean_mm) <= kSameStand * pixel.mean_mm ||
+              is_same(z_mm, pixel.mean_mm);
+    }
+  }
+  return same >= kMinAgreement * compared;
+}
+
+}  // namespace roomcast::model

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// StillView: what stands still in the view of one sensor at one place, gathered from its frames.
+// For each pixel the mean of the readings of the surface that stands there, the number of these
+// readings, and their mean colour. Something that moves is forgotten: where a farther surface is
+// seen often enough, the nearer one has gone; a nearer one is believed only when it has been there
+// for twice as long. Hence a person who walks past is not in the view, and furniture that was moved
+// is after a few seconds. Depth in millimetres. Single-threaded.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "roomcast/codec/live/sensor_noise.h"
+#include "roomcast/core/image.h"
+#include "roomcast/geometry/camera_model.h"
+#include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/model/model_options.h"
+
+namespace roomcast::model {
+
+/// Larger pictures are refused; a view takes 24 bytes a pixel.
+inline constexpr std::size_t kMaxViewPixels = 4'000'000;
+
+class StillView {
+ public:
+  /// kInvalidArgument for a camera or pose that no sensor of a room has; kTooLarge above
+  /// kMaxViewPixels.
+  static Result<StillView> create(const CameraIntrinsics& camera,
+                                  const RigidTransform& world_from_depth,
+                                  const ModelOptions& options = {});
+
+  /// `depth_mm` has the camera's size; `color` and `color_seen` have it, too, or are empty.
+  void add(DepthView depth_mm, ColorView color, MaskView color_seen);
+
+  /// Whether the sensor still stands where it stood: most readings are of the surfaces of this
+  /// view. True before the first frame.
+  [[nodiscard]] bool agrees(DepthView depth_mm) const;
+
+  /// For a pose that is known better now; the sensor was not moved. Errors as above.
+  [[nodiscard]] Status set_pose(const RigidTransform& world_from_depth);
+
+  [[nodiscard]] const CameraIntrinsics& camera() const { return camera_; }
+  [[nodiscard]] const RigidTransform& world_from_depth() const { return world_from_depth_; }
+  [[nodiscard]] int frames() const { return frames_; }
+  /// Mean of the still surface, 0 for none.
+  [[nodiscard]] float depth_mm(int x, int y) const;
+  /// Readings in that mean, at most kMaxCount.
+  [[nodiscard]] int count(int x, int y) const { return pixels_.at(x, y).count; }
+  [[nodiscard]] bool has_color(int x, int y) const { return pixels_.at(x, y).color_count > 0; }
+  [[nodiscard]] Rgb8 color(int x, int y) const;
+  /// The sensor's noise law: standard deviation of a reading.
+  [[nodiscard]] float sigma_mm(float depth_mm) const;
+
+  static constexpr int kMaxCount = 120;  // later readings replace the oldest ones
+
+ private:
+  struct Pixel {
+    float mean_mm = 0, other_mm = 0;  // the surface, and another one that may be there instead
+    std::uint8_t count = 0, other_count = 0, color_count = 0;
+    std::array<std::uint16_t, 3> color{};  // mean, 1/256 levels
+  };
+  StillView(const CameraIntrinsics& camera, const RigidTransform& world_from_depth,
+            const ModelOptions& options);
+  [[nodiscard]] bool is_same(float a_mm, float b_mm) const;
+  void add_reading(float z_mm, Pixel& pixel) const;
+  static void add_color(Rgb8 color, Pixel& pixel);
+
+  CameraIntrinsics camera_;
+  RigidTransform world_from_depth_;
+  ModelOptions options_;
+  Image<Pixel> pixels_;
+  codec::SensorNoise noise_;
+  std::array<float, codec::kSigmaKnotCount> sigma_mm_{};
+  int frames_ = 0;
+};
+
+}  // namespace roomcast::model
