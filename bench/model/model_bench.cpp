@@ -7,7 +7,9 @@
 
 #include "bench/model/mesh_depth.h"
 #include "bench/render/drawing_cost.h"
+#include "roomcast/io/image_file.h"
 #include "roomcast/model/volume_mesh.h"
+#include "roomcast/recording/export/set_writer.h"
 #include "roomcast/recording/mesh/room_views.h"
 
 namespace roomcast::bench {
@@ -55,11 +57,39 @@ Result<Gathered> gather(const fs::path& rig, const ModelBenchOptions& options,
   }
 }
 
-ScoreFigures score(const model::RoomMesh& mesh, const std::vector<StillTruth>& truths) {
+/// `pictures`: where to write them, up to their number; empty for nowhere.
+Result<ScoreFigures> score(const model::RoomMesh& mesh, const std::vector<StillTruth>& truths,
+                           const std::string& pictures) {
   SurfaceScore score;
-  for (const StillTruth& truth : truths)
-    add_score(mesh_depth_m(mesh, truth.camera, truth.world_from_camera), truth, score);
+  for (std::size_t i = 0; i < truths.size(); ++i) {
+    const StillTruth& truth = truths[i];
+    const ColorImage picture =
+        add_score(mesh_depth_m(mesh, truth.camera, truth.world_from_camera), truth, score);
+    if (pictures.empty()) continue;
+    if (auto status = io::write_color_png(fmt::format("{}{}.png", pictures, i), picture); !status)
+      return status.error();
+  }
   return figures_of(std::move(score));
+}
+
+Result<ModelRow> add_scores(const fs::path& rig, const model::RoomMesh& mesh,
+                            const std::vector<StillTruth>& truths, const ModelBenchOptions& options,
+                            ModelRow row) {
+  std::string pictures;
+  if (options.pictures) {
+    if (auto status = recording::make_export_folder(*options.pictures); !status)
+      return status.error();
+    pictures = (*options.pictures / row.rig).string();
+  }
+  const auto sensors = score(mesh, truths, pictures.empty() ? "" : pictures + "-s");
+  if (!sensors) return sensors.error();
+  row.sensors = *sensors;
+  const auto views = read_view_truths(rig, truths);
+  if (!views) return views.error();
+  const auto free = score(mesh, *views, pictures.empty() ? "" : pictures + "-view");
+  if (!free) return free.error();
+  row.free = *free;
+  return row;
 }
 
 Result<ModelRow> measure(const fs::path& rig, const ModelBenchOptions& options,
@@ -83,11 +113,7 @@ Result<ModelRow> measure(const fs::path& rig, const ModelBenchOptions& options,
   row.volume_bytes = volume->bytes();
   row.points = mesh.points_m.size();
   row.triangles = mesh.triangles.size();
-  row.sensors = score(mesh, gathered->truths);
-  const auto free = read_view_truths(rig);
-  if (!free) return free.error();
-  row.free = score(mesh, *free);
-  return row;
+  return add_scores(rig, mesh, gathered->truths, options, row);
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ namespace roomcast::bench {
 struct ModelBenchOptions {
   std::vector<std::filesystem::path> rigs;
   model::ModelOptions model;
+  std::optional<std::filesystem::path> pictures = {};  // a folder for the pictures of add_score
 };
 
 struct ModelRow {

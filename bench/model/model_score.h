@@ -19,8 +19,10 @@ struct SurfaceScore {
   std::size_t floating = 0;     // of them: the model has it more than 5 cm and 2 % in front
 };
 
-/// `model_m`: as mesh_depth_m.
-void add_score(const Image<float>& model_m, const StillTruth& truth, SurfaceScore& score);
+/// `model_m`: as mesh_depth_m. Returns a picture of it: surfaces that were seen and are covered
+/// grey, the brighter the more exact; red where the model has nothing, blue where it has another
+/// surface, yellow where something floats; black where nobody saw a still surface.
+ColorImage add_score(const Image<float>& model_m, const StillTruth& truth, SurfaceScore& score);
 
 struct ScoreFigures {
   double median_mm = 0, p90_mm = 0;

@@ -2,6 +2,7 @@
 #include "bench/model/still_truth.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <string>
@@ -45,6 +46,32 @@ DepthImage still_depth(const std::vector<DepthImage>& pictures) {
     }
   }
   return still;
+}
+
+/// Whether a sensor saw this point.
+bool sees(const StillTruth& sensor, const Eigen::Vector3d& world_m) {
+  const Eigen::Vector3d at = sensor.world_from_camera.inverse() * world_m;
+  const auto pixel = project(sensor.camera, at);
+  if (!pixel) return false;
+  const Eigen::Vector2i place = pixel->array().round().cast<int>();
+  const bool inside =
+      place.minCoeff() >= 0 && place.x() < sensor.camera.width && place.y() < sensor.camera.height;
+  if (!inside || sensor.seen.at(place.x(), place.y()) == 0) return false;
+  const double true_m = 0.001 * sensor.depth_mm.at(place.x(), place.y());
+  return std::abs(true_m - at.z()) <= std::max(0.02, 0.01 * at.z());
+}
+
+void add_seen_by(std::span<const StillTruth> sensors, StillTruth& view) {
+  for (int y = 0; y < view.camera.height; ++y) {
+    for (int x = 0; x < view.camera.width; ++x) {
+      const double z_m = 0.001 * view.depth_mm.at(x, y);
+      const auto point = z_m > 0 ? unproject(view.camera, {x, y}, z_m) : std::nullopt;
+      if (!point) continue;
+      const Eigen::Vector3d world_m = view.world_from_camera * *point;
+      if (std::ranges::any_of(sensors, [&](const auto& sensor) { return sees(sensor, world_m); }))
+        view.seen.at(x, y) = 255;
+    }
+  }
 }
 
 CameraIntrinsics lens_of(const TruthViewEntry& entry) {
@@ -95,7 +122,8 @@ void add_seen(DepthView depth_mm, StillTruth& truth) {
   }
 }
 
-Result<std::vector<StillTruth>> read_view_truths(const fs::path& rig) {
+Result<std::vector<StillTruth>> read_view_truths(const fs::path& rig,
+                                                 std::span<const StillTruth> sensors) {
   const auto views = read_truth_views(rig);
   if (!views && views.error().code == ErrorCode::kNotFound) return std::vector<StillTruth>();
   if (!views) return views.error();
@@ -107,17 +135,19 @@ Result<std::vector<StillTruth>> read_view_truths(const fs::path& rig) {
     StillTruth& truth = place->second;
     if (is_new)
       truth = {lens_of(entry), entry.camera.world_from_view * render::optical_from_view().inverse(),
-               view->depth_mm, MaskImage(entry.camera.width, entry.camera.height, 255)};
+               view->depth_mm, MaskImage(entry.camera.width, entry.camera.height)};
     for (int y = 0; y < truth.camera.height; ++y) {
       for (int x = 0; x < truth.camera.width; ++x) {
         const int change_mm = view->depth_mm.at(x, y) - truth.depth_mm.at(x, y);
         if (std::abs(change_mm) > kSameTruth_mm) truth.depth_mm.at(x, y) = 0;
-        if (view->seen.at(x, y) == 0) truth.seen.at(x, y) = 0;
       }
     }
   }
   std::vector<StillTruth> list;
-  for (auto& [view, truth] : truths) list.push_back(std::move(truth));
+  for (auto& [view, truth] : truths) {
+    add_seen_by(sensors, truth);
+    list.push_back(std::move(truth));
+  }
   return list;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "roomcast/core/image.h"
@@ -30,8 +31,9 @@ struct StillTruth {
 /// Adds what a frame of that sensor shows to what it saw: readings within 5 cm or 3 % of the truth.
 void add_seen(DepthView depth_mm, StillTruth& truth);
 
-/// From the free viewpoints of the rig, where the same surface is there at both instants, and a
-/// sensor sees it at both. Empty for a rig without such views.
-[[nodiscard]] Result<std::vector<StillTruth>> read_view_truths(const std::filesystem::path& rig);
+/// From the free viewpoints of the rig, where the same surface is there at both instants. Seen is
+/// what `sensors` saw, within 2 cm or 1 %. Empty for a rig without such views.
+[[nodiscard]] Result<std::vector<StillTruth>> read_view_truths(const std::filesystem::path& rig,
+                                                               std::span<const StillTruth> sensors);
 
 }  // namespace roomcast::bench

@@ -58,11 +58,14 @@ struct RoomVolume {
     std::span<const ViewSurface> views, const ModelOptions& options, const Workers& workers = {},
     const std::function<void(std::size_t done, std::size_t total)>& progress = {});
 
-/// Whether the surface passes between two neighbouring corners with these distances. At the rim of
-/// what a view sees, distances of two surfaces meet in a step; no surface is there.
+/// Whether no surface is between two neighbouring corners although one is inside: beyond the
+/// outline of a thing, free space is beside what is hidden behind the thing. The outline itself,
+/// where the inner corner is just behind the surface, belongs to it.
 [[nodiscard]] constexpr bool is_step(std::int16_t a, std::int16_t b) {
-  constexpr int kMaxStep = static_cast<int>(2.2F * VolumeBlock::kUnitsPerVoxel);
-  return (a < 0) != (b < 0) && (a < b ? b - a : a - b) > kMaxStep;
+  constexpr int kJustBehind = static_cast<int>(-1.0F * VolumeBlock::kUnitsPerVoxel);
+  constexpr int kFree = static_cast<int>(2.5F * VolumeBlock::kUnitsPerVoxel);
+  const int inner = a < b ? a : b, outer = a < b ? b : a;
+  return inner < kJustBehind && outer > kFree;
 }
 
 /// Bit i says whether corner i of a cell is inside; 0 for a cell that the surface does not pass

@@ -12,7 +12,6 @@ namespace {
 /// Which share of the readings of a surface another one needs to be believed in its place.
 constexpr float kFartherShare = 0.3F, kNearerShare = 2;
 constexpr int kMinFartherCount = 3;
-/// A surface that was read in fewer frames than these, of more frames, is stray light.
 constexpr int kMinCount = 3;
 constexpr int kNoiseFrames = 30;  // the noise law is taken over in these, then every 30th
 constexpr int kAgreementStep = 4;
@@ -133,9 +132,12 @@ Rgb8 StillView::color(int x, int y) const {
   return {level(0), level(1), level(2)};
 }
 
+bool StillView::is_sure(int x, int y) const {
+  return pixels_.at(x, y).count >= std::min(kMinCount, frames_);
+}
+
 float StillView::depth_mm(int x, int y) const {
-  const Pixel& pixel = pixels_.at(x, y);
-  return pixel.count >= std::min(kMinCount, frames_) ? pixel.mean_mm : 0;
+  return pixels_.at(x, y).mean_mm;
 }
 
 bool StillView::agrees(DepthView depth_mm) const {

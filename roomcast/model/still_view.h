@@ -45,6 +45,8 @@ class StillView {
   [[nodiscard]] int frames() const { return frames_; }
   /// Mean of the still surface, 0 for none.
   [[nodiscard]] float depth_mm(int x, int y) const;
+  /// False for a surface that was read in fewer than three of more frames: it may be stray light.
+  [[nodiscard]] bool is_sure(int x, int y) const;
   /// Readings in that mean, at most kMaxCount.
   [[nodiscard]] int count(int x, int y) const { return pixels_.at(x, y).count; }
   [[nodiscard]] bool has_color(int x, int y) const { return pixels_.at(x, y).color_count > 0; }

@@ -2,6 +2,7 @@
 #include "roomcast/model/view_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -15,8 +16,9 @@ constexpr float kStep_m = 0.01F, kStepPerDepth = 0.02F;
 /// plane a linear function of the pixel, changes by nearly the same from pixel to pixel.
 constexpr float kSlantedStepPerDepth = 0.15F, kUnevenStep = 0.3F;
 constexpr float kMinSlope = 0.1F;  // of a surface against the ray; noise makes less meaningless
-/// Two of eight neighbours, squared; pixels with fewer mix two surfaces.
-constexpr float kMinRim = 0.0625F;
+constexpr int kMinJoined = 2;      // of 8 neighbours
+constexpr int kFillPasses = 2;
+constexpr float kMinFillPairs = 2;  // of opposite neighbours, of 4
 constexpr float kMaxTruncationVoxels = 8;
 constexpr float kWeightUnit_m = 0.001F;  // an exact reading has sigma 1 mm and weight 1
 
@@ -43,8 +45,9 @@ ViewSurface::ViewSurface(const StillView& view, const ModelOptions& options)
   depth_origin_m_ = -(pose.rotation.transpose() * pose.translation_m).cast<float>();
   largest_radius2_ = static_cast<float>(widest_radius_squared(camera_));
   read(view);
+  drop_stray(view);
+  fill_holes();
   join();
-  drop_stray();
   add_normals();
   weigh(view);
 }
@@ -82,32 +85,70 @@ bool ViewSurface::is_joined(int x, int y, int dx, int dy) const {
 void ViewSurface::join() {
   for (int y = 0; y < camera_.height; ++y) {
     for (int x = 0; x < camera_.width; ++x) {
-      texels_.at(x, y).joins_right = is_joined(x, y, 1, 0);
-      texels_.at(x, y).joins_down = is_joined(x, y, 0, 1);
+      Texel& texel = texels_.at(x, y);
+      texel.joins_right = is_joined(x, y, 1, 0);
+      texel.joins_down = is_joined(x, y, 0, 1);
+      const float joined =
+          static_cast<float>(joined_neighbours(x, y, [](int, int) { return true; })) / 8;
+      texel.rim = joined * joined;
     }
   }
 }
 
-int ViewSurface::joined_neighbours(int x, int y) const {
+template <class Counts>
+int ViewSurface::joined_neighbours(int x, int y, const Counts& counts) const {
   int joined = 0;
   for (int dy = -1; dy <= 1; ++dy)
-    for (int dx = -1; dx <= 1; ++dx) joined += (dx != 0 || dy != 0) && is_joined(x, y, dx, dy);
+    for (int dx = -1; dx <= 1; ++dx)
+      joined += (dx != 0 || dy != 0) && is_joined(x, y, dx, dy) && counts(x + dx, y + dy);
   return joined;
 }
 
-void ViewSurface::drop_stray() {
-  for (int y = 0; y < camera_.height; ++y)
-    for (int x = 0; x < camera_.width; ++x)
-      texels_.at(x, y).rim = static_cast<float>(std::pow(joined_neighbours(x, y) / 8.0, 2));
+/// Pixels that mix two surfaces have hardly any neighbour of one surface; what was hardly ever read
+/// is believed only beside what was.
+void ViewSurface::drop_stray(const StillView& view) {
+  const auto all = [](int, int) { return true; };
+  const auto sure = [&](int x, int y) { return view.is_sure(x, y); };
+  Image<std::uint8_t> stray(camera_.width, camera_.height);
   for (int y = 0; y < camera_.height; ++y) {
     for (int x = 0; x < camera_.width; ++x) {
-      Texel& texel = texels_.at(x, y);
-      if (texel.inverse_m == 0 || texel.rim >= kMinRim) continue;
-      texel = {};
-      if (x > 0) texels_.at(x - 1, y).joins_right = false;
-      if (y > 0) texels_.at(x, y - 1).joins_down = false;
+      if (texels_.at(x, y).inverse_m == 0) continue;
+      stray.at(x, y) = joined_neighbours(x, y, all) < kMinJoined ||
+                       (!view.is_sure(x, y) && joined_neighbours(x, y, sure) < kMinJoined);
     }
   }
+  for (int y = 0; y < camera_.height; ++y)
+    for (int x = 0; x < camera_.width; ++x)
+      if (stray.at(x, y) != 0) texels_.at(x, y) = {};
+}
+
+/// Fills pixels without a reading within a surface, so that dark or slanted ones, which are read
+/// now and then only, have no holes of a pixel or two.
+void ViewSurface::fill_holes() {
+  for (int pass = 0; pass < kFillPasses; ++pass) {
+    const Image<Texel> before = texels_;
+    for (int y = 1; y + 1 < camera_.height; ++y)
+      for (int x = 1; x + 1 < camera_.width; ++x)
+        if (before.at(x, y).inverse_m == 0 && rays_.at(x, y).allFinite()) fill_hole(x, y, before);
+  }
+}
+
+/// From pairs of opposite neighbours: on a plane, inverse depth between them is their mean.
+void ViewSurface::fill_hole(int x, int y, const Image<Texel>& before) {
+  constexpr std::array<std::array<int, 2>, 4> kSides = {{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
+  float sum = 0, pairs = 0;
+  for (const auto& [dx, dy] : kSides) {
+    const Texel& a = before.at(x - dx, y - dy);
+    const Texel& b = before.at(x + dx, y + dy);
+    if (a.inverse_m == 0 || b.inverse_m == 0) continue;
+    const float near_m = 1 / std::max(a.inverse_m, b.inverse_m);
+    const float step_m = std::abs(1 / a.inverse_m - 1 / b.inverse_m);
+    if (step_m > 2 * (kStep_m + kStepPerDepth * near_m)) return;
+    sum += a.inverse_m + b.inverse_m;
+    pairs += 1;
+  }
+  if (pairs < kMinFillPairs) return;
+  texels_.at(x, y).inverse_m = sum / (2 * pairs);
 }
 
 Eigen::Vector3f ViewSurface::point(int x, int y) const {
@@ -161,8 +202,8 @@ void ViewSurface::weigh(const StillView& view) {
       const float z_m = depth_of(texel);
       const float noise_m = 0.001F * view.sigma_mm(1000 * z_m);
       const float bias_m = bias_at(z_m, options_);
-      const float sigma_m =
-          std::sqrt(noise_m * noise_m / static_cast<float>(view.count(x, y)) + bias_m * bias_m);
+      const float sigma_m = std::sqrt(
+          noise_m * noise_m / static_cast<float>(std::max(1, view.count(x, y))) + bias_m * bias_m);
       const float wanted_m = std::max(options_.truncation_voxels * options_.voxel_m,
                                       options_.voxel_m + options_.truncation_sigmas * sigma_m);
       texel.truncation_m = std::min(wanted_m, kMaxTruncationVoxels * options_.voxel_m);

@@ -63,11 +63,15 @@ class ViewSurface {
  private:
   void read(const StillView& view);
   void join();
-  void drop_stray();
+  void drop_stray(const StillView& view);
+  void fill_holes();
+  void fill_hole(int x, int y, const Image<Texel>& before);
   void add_normals();
   void weigh(const StillView& view);
   [[nodiscard]] bool is_joined(int x, int y, int dx, int dy) const;
-  [[nodiscard]] int joined_neighbours(int x, int y) const;
+  /// How many of the eight neighbours, of those that `counts` takes.
+  template <class Counts>
+  [[nodiscard]] int joined_neighbours(int x, int y, const Counts& counts) const;
   [[nodiscard]] std::optional<Eigen::Vector3f> surface_step(int x, int y, int dx, int dy) const;
   [[nodiscard]] bool project(const Eigen::Vector3f& point_m, float& u, float& v) const;
   [[nodiscard]] Eigen::Vector3f point(int x, int y) const;

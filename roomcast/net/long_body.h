@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// LongBody: the body of an HTTP answer that is read piece by piece while it is sent, because it may be
-// larger than memory: a file. Threading: called on the server's door thread, which waits for each
-// piece.
+// LongBody: the body of an HTTP answer that is read piece by piece while it is sent, because it may
+// be larger than memory: a file. Threading: called on the server's door thread, which waits for
+// each piece.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: an AdminApi with two rooms, "lab" and "cellar" (not listed), and recordings that are not on
-// a disk.
+// For tests: an AdminApi with two rooms, "lab" and "cellar" (not listed), and recordings that are
+// not on a disk.
 #pragma once
 
 #include <algorithm>
@@ -137,8 +137,8 @@ class AdminApiTest : public testing::Test {
       io.restart();
     }
     EXPECT_TRUE(response) << method << " " << path;
-    const auto json = response->body ? nlohmann::json::parse(*response->body, nullptr, false)
-                                     : nlohmann::json();
+    const auto json =
+        response->body ? nlohmann::json::parse(*response->body, nullptr, false) : nlohmann::json();
     return {response->status, *response, json};
   }
 

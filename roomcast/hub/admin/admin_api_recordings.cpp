@@ -99,16 +99,16 @@ void AdminApi::stop_recording(const Call& call) {
 }
 
 void AdminApi::list_recordings(const Call& call) const {
-  recordings_->kept().list(
-      scope_of(call, call.parameter(0)), [call](const Result<RecordingList>& list) {
-        if (!list) return call.respond(refusal_of(list.error()));
-        nlohmann::json recordings = nlohmann::json::array();
-        for (const KeptRecording& kept : list->recordings)
-          recordings.push_back(kept_recording_json(kept));
-        call.respond(json_answer(200, {{"recordings", std::move(recordings)},
-                                       {"left_out", list->left_out},
-                                       {"unread", list->unread}}));
-      });
+  recordings_->kept().list(scope_of(call, call.parameter(0)),
+                           [call](const Result<RecordingList>& list) {
+                             if (!list) return call.respond(refusal_of(list.error()));
+                             nlohmann::json recordings = nlohmann::json::array();
+                             for (const KeptRecording& kept : list->recordings)
+                               recordings.push_back(kept_recording_json(kept));
+                             call.respond(json_answer(200, {{"recordings", std::move(recordings)},
+                                                            {"left_out", list->left_out},
+                                                            {"unread", list->unread}}));
+                           });
 }
 
 void AdminApi::recording_file(const Call& call) const {
@@ -123,12 +123,12 @@ void AdminApi::rename_recording(const Call& call) const {
   if (!name)
     return call.respond(
         error_answer(400, "bad_request", R"(the body must be {"name": "the new name"})"));
-  recordings_->kept().rename(
-      scope_of(call, call.parameter(0)), call.parameter(1), *std::move(name),
-      [call](const Result<KeptRecording>& renamed) {
-        call.respond(renamed ? json_answer(200, kept_recording_json(*renamed))
-                             : refusal_of(renamed.error()));
-      });
+  recordings_->kept().rename(scope_of(call, call.parameter(0)), call.parameter(1), *std::move(name),
+                             [call](const Result<KeptRecording>& renamed) {
+                               call.respond(renamed
+                                                ? json_answer(200, kept_recording_json(*renamed))
+                                                : refusal_of(renamed.error()));
+                             });
 }
 
 void AdminApi::delete_recording(const Call& call) const {

@@ -40,9 +40,12 @@ TEST_F(AdminApiRecordingsTest, lists_those_of_the_room_and_unknown_ones_to_admin
 }
 
 TEST_F(AdminApiRecordingsTest, are_for_the_admins_of_their_room_only) {
-  for (const auto& [method, path] : std::vector<std::pair<std::string, std::string>>{
-           {"GET", ""}, {"PATCH", "/one"}, {"DELETE", "/one"}, {"GET", "/one/file"},
-           {"POST", "/one/download"}}) {
+  for (const auto& [method, path] :
+       std::vector<std::pair<std::string, std::string>>{{"GET", ""},
+                                                        {"PATCH", "/one"},
+                                                        {"DELETE", "/one"},
+                                                        {"GET", "/one/file"},
+                                                        {"POST", "/one/download"}}) {
     const std::string address = "/rooms/lab/recordings" + path;
     EXPECT_EQ(ask(method, address).code(), "unauthenticated") << method << path;
     EXPECT_EQ(ask(method, address, token("lab", TokenRole::kViewer)).code(), "wrong_role");

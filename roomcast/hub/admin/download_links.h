@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// DownloadLinks: addresses under which a browser fetches one file, once and soon: a link cannot carry
-// a token, and tokens are never in an address. Threading: single-threaded.
+// DownloadLinks: addresses under which a browser fetches one file, once and soon: a link cannot
+// carry a token, and tokens are never in an address. Threading: single-threaded.
 #pragma once
 
 #include <chrono>

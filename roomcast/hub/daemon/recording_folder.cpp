@@ -129,9 +129,8 @@ RecordingFolder::~RecordingFolder() {
 }
 
 void RecordingFolder::list(RecordingScope scope, hub::WhenKnown<RecordingList> done) {
-  boost::asio::post(orders_, [this, scope = std::move(scope), done = std::move(done)] {
-    done(list_now(scope));
-  });
+  boost::asio::post(
+      orders_, [this, scope = std::move(scope), done = std::move(done)] { done(list_now(scope)); });
 }
 
 void RecordingFolder::open(RecordingScope scope, std::string name,
@@ -141,16 +140,15 @@ void RecordingFolder::open(RecordingScope scope, std::string name,
     if (const auto found = find_finished(scope, name); !found) return done(found.error());
     auto file = recording::open_file(path_of(name));
     if (!file) return done(no_such_recording(name));
-    done(std::shared_ptr<const net::LongBody>(
-        std::make_shared<RecordingBody>(*std::move(file))));
+    done(std::shared_ptr<const net::LongBody>(std::make_shared<RecordingBody>(*std::move(file))));
   });
 }
 
 void RecordingFolder::rename(RecordingScope scope, std::string name, std::string to,
                              hub::WhenKnown<KeptRecording> done) {
-  boost::asio::post(orders_, [this, scope = std::move(scope), name = std::move(name),
-                              to = std::move(to),
-                              done = std::move(done)] { done(rename_now(scope, name, to)); });
+  boost::asio::post(orders_,
+                    [this, scope = std::move(scope), name = std::move(name), to = std::move(to),
+                     done = std::move(done)] { done(rename_now(scope, name, to)); });
 }
 
 void RecordingFolder::remove(RecordingScope scope, std::string name,
@@ -269,8 +267,7 @@ Result<KeptRecording> RecordingFolder::rename_now(const RecordingScope& scope,
   if (auto status = check_file_name(to); !status) return status.error();
   if (to == name) return found;
   const int failed = rename_file(path_of(name), path_of(to));
-  if (failed == EEXIST)
-    return invalid_argument("there is a recording \"" + to + "\" already");
+  if (failed == EEXIST) return invalid_argument("there is a recording \"" + to + "\" already");
   if (failed == ENOENT) return no_such_recording(name);
   if (failed != 0)
     return unavailable("the recording cannot be renamed: " + std::string(std::strerror(failed)));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// RecordingFolder: the recordings in the hub's folder: FOLDER/NAME.mcap. A file belongs to the room that
-// it names itself. What was read of a file is kept until the file changes, so that a list costs a look
-// at the folder only. Links, hidden files and names that cannot be shown are passed over. Disk and
-// damaged files can take long, so a thread of its own does all of it. Threading: thread-safe.
+// RecordingFolder: the recordings in the hub's folder: FOLDER/NAME.mcap. A file belongs to the room
+// that it names itself. What was read of a file is kept until the file changes, so that a list
+// costs a look at the folder only. Links, hidden files and names that cannot be shown are passed
+// over. Disk and damaged files can take long, so a thread of its own does all of it. Threading:
+// thread-safe.
 #pragma once
 
 #include <cstdint>

@@ -69,7 +69,8 @@ class RecordingFolderTest : public testing::Test {
 
   TemporaryFolder folder_;
   std::set<std::filesystem::path> running_;
-  RecordingFolder kept_{folder_.path(), [this](const auto& path) { return running_.contains(path); }};
+  RecordingFolder kept_{folder_.path(),
+                        [this](const auto& path) { return running_.contains(path); }};
 };
 
 TEST_F(RecordingFolderTest, lists_what_each_file_says_of_itself) {

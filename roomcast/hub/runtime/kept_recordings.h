@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// KeptRecordings: the admin interface's view of the finished recordings on the hub's disk. Threading:
-// called on the rooms' thread; no member may block. Answers come later, on any thread.
+// KeptRecordings: the admin interface's view of the finished recordings on the hub's disk.
+// Threading: called on the rooms' thread; no member may block. Answers come later, on any thread.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,7 @@ struct KeptRecording {
   std::string room;  // empty: unknown
   std::string by;    // who started it; empty: unknown
   KeptState state = KeptState::kWhole;
-  std::string problem;        // why it is damaged or unreadable, as a sentence
+  std::string problem;  // why it is damaged or unreadable, as a sentence
   std::uint64_t bytes = 0;
   double seconds = 0;
   UnixSeconds began_at = 0;  // of an unreadable one: when the file was changed last

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a list of recordings says about one of them, read from the end of its file; only a file without
-// a valid end is read as a whole. Threading: no state.
+// What a list of recordings says about one of them, read from the end of its file; only a file
+// without a valid end is read as a whole. Threading: no state.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ struct AboutRecording {
 
 struct RecordingSummary {
   AboutRecording about;
-  nanoseconds start{}, end{};  // since 1970
-  std::size_t sensors = 0;     // with frames
+  nanoseconds start{}, end{};         // since 1970
+  std::size_t sensors = 0;            // with frames
   std::optional<std::string> damage;  // why the end is missing, as a sentence
 };
 
