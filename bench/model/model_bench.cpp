@@ -53,7 +53,7 @@ Result<Gathered> gather(const fs::path& rig, const ModelBenchOptions& options,
     if (auto status = gathered.views.add(set); !status) return status.error();
     gathered.cpu_ms += process_cpu_ms() - before_ms;
     for (const recording::SetFrame& frame : set.frames)
-      add_seen(frame.pictures->depth_mm, gathered.truths[frame.sensor]);
+      add_readings(frame.pictures->depth_mm, gathered.truths[frame.sensor]);
   }
 }
 

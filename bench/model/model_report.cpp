@@ -10,11 +10,9 @@ namespace roomcast::bench {
 namespace {
 
 nlohmann::json json_of(const ScoreFigures& score) {
-  return {{"median_mm", score.median_mm},
-          {"p90_mm", score.p90_mm},
-          {"coverage", score.coverage},
-          {"floating", score.floating},
-          {"pixels", score.pixels}};
+  return {{"median_mm", score.median_mm}, {"p90_mm", score.p90_mm},
+          {"coverage", score.coverage},   {"coverage_of_read_once", score.coverage_once},
+          {"floating", score.floating},   {"pixels", score.pixels}};
 }
 
 std::string text_of(const ScoreFigures& score) {

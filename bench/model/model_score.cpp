@@ -17,7 +17,7 @@ float error_at(std::vector<float>& errors_m, double share) {
   return *place;
 }
 
-Rgb8 color_of(bool drawn, bool covered, bool floats, float error_m) {
+Rgb8 class_color(bool drawn, bool covered, bool floats, float error_m) {
   if (floats) return {255, 255, 0};
   if (!drawn) return {255, 0, 0};
   if (!covered) return {0, 0, 255};
@@ -44,12 +44,15 @@ ColorImage add_score(const Image<float>& model_m, const StillTruth& truth, Surfa
       const bool floats = drawn_m > 0 && drawn_m < true_m - 0.05F - 0.02F * true_m;
       score.drawn += drawn_m > 0;
       score.floating += floats;
-      if (truth.seen.at(x, y) == 0) continue;
+      const int readings = truth.readings.at(x, y);
       const bool covered = drawn_m > 0 && error_m <= std::max(0.03F, 0.01F * true_m);
+      score.read_once += readings > 0;
+      score.covered_once += readings > 0 && covered;
+      if (readings < kMinReadings) continue;
       ++score.seen;
       score.covered += covered;
       if (drawn_m > 0) score.errors_m.push_back(error_m);
-      picture.at(x, y) = color_of(drawn_m > 0, covered, floats, error_m);
+      picture.at(x, y) = class_color(drawn_m > 0, covered, floats, error_m);
     }
   }
   return picture;
@@ -60,6 +63,7 @@ ScoreFigures figures_of(SurfaceScore score) {
   figures.median_mm = 1000 * error_at(score.errors_m, 0.5);
   figures.p90_mm = 1000 * error_at(score.errors_m, 0.9);
   figures.coverage = share_of(score.covered, score.seen);
+  figures.coverage_once = share_of(score.covered_once, score.read_once);
   figures.floating = share_of(score.floating, score.drawn);
   figures.pixels = score.seen;
   return figures;

@@ -13,10 +13,11 @@ namespace roomcast::bench {
 
 struct SurfaceScore {
   std::vector<float> errors_m;  // where the model has a surface
-  std::size_t seen = 0;         // pixels of still surfaces that a sensor saw
+  std::size_t seen = 0;         // pixels of still surfaces that a sensor saw: kMinReadings
   std::size_t covered = 0;      // of them: the model has the surface within 3 cm or 1 %
-  std::size_t drawn = 0;        // pixels of still surfaces where the model has something
-  std::size_t floating = 0;     // of them: the model has it more than 5 cm and 2 % in front
+  std::size_t read_once = 0, covered_once = 0;  // the same with one reading
+  std::size_t drawn = 0;     // pixels of still surfaces where the model has something
+  std::size_t floating = 0;  // of them: the model has it more than 5 cm and 2 % in front
 };
 
 /// `model_m`: as mesh_depth_m. Returns a picture of it: surfaces that were seen and are covered
@@ -26,8 +27,9 @@ ColorImage add_score(const Image<float>& model_m, const StillTruth& truth, Surfa
 
 struct ScoreFigures {
   double median_mm = 0, p90_mm = 0;
-  double coverage = 0, floating = 0;  // shares: of what was seen, of what the model draws
-  std::size_t pixels = 0;             // seen
+  double coverage = 0, coverage_once = 0;  // shares of what was seen, of what was read once
+  double floating = 0;                     // share of what the model draws
+  std::size_t pixels = 0;                  // seen
 };
 [[nodiscard]] ScoreFigures figures_of(SurfaceScore score);
 

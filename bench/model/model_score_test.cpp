@@ -46,16 +46,19 @@ TEST(ModelScore, no_model_covers_nothing) {
 
 TEST(ModelScore, what_nobody_saw_does_not_count) {
   StillTruth truth = wall();
-  truth.seen = MaskImage(40, 30, 0);
+  truth.readings = MaskImage(40, 30, 0);
   EXPECT_EQ(figures(2, truth).pixels, 0u);
-  add_seen(DepthImage(40, 30, 2040), truth);
+  add_readings(DepthImage(40, 30, 2040), truth);
+  EXPECT_EQ(figures(2, truth).pixels, 0u);
+  EXPECT_EQ(figures(2, truth).coverage_once, 1);
+  for (int i = 1; i < kMinReadings; ++i) add_readings(DepthImage(40, 30, 2040), truth);
   EXPECT_EQ(figures(2, truth).pixels, kInner);
 }
 
 TEST(ModelScore, a_reading_of_something_else_has_not_seen_the_surface) {
   StillTruth truth = wall();
-  truth.seen = MaskImage(40, 30, 0);
-  add_seen(DepthImage(40, 30, 1500), truth);
+  truth.readings = MaskImage(40, 30, 0);
+  for (int i = 0; i < kMinReadings; ++i) add_readings(DepthImage(40, 30, 1500), truth);
   EXPECT_EQ(figures(2, truth).pixels, 0u);
 }
 

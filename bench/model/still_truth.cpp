@@ -48,30 +48,35 @@ DepthImage still_depth(const std::vector<DepthImage>& pictures) {
   return still;
 }
 
-/// Whether a sensor saw this point.
-bool sees(const StillTruth& sensor, const Eigen::Vector3d& world_m) {
+/// Readings of this point by a sensor.
+std::uint8_t readings_of(const StillTruth& sensor, const Eigen::Vector3d& world_m) {
   const Eigen::Vector3d at = sensor.world_from_camera.inverse() * world_m;
   const auto pixel = project(sensor.camera, at);
-  if (!pixel) return false;
+  if (!pixel) return 0;
   const Eigen::Vector2i place = pixel->array().round().cast<int>();
   const bool inside =
       place.minCoeff() >= 0 && place.x() < sensor.camera.width && place.y() < sensor.camera.height;
-  if (!inside || sensor.seen.at(place.x(), place.y()) == 0) return false;
+  if (!inside) return 0;
   const double true_m = 0.001 * sensor.depth_mm.at(place.x(), place.y());
-  return std::abs(true_m - at.z()) <= std::max(0.02, 0.01 * at.z());
+  const bool same = std::abs(true_m - at.z()) <= std::max(0.02, 0.01 * at.z());
+  return same ? sensor.readings.at(place.x(), place.y()) : 0;
 }
 
-void add_seen_by(std::span<const StillTruth> sensors, StillTruth& view) {
+void add_readings_of(std::span<const StillTruth> sensors, StillTruth& view) {
   for (int y = 0; y < view.camera.height; ++y) {
     for (int x = 0; x < view.camera.width; ++x) {
       const double z_m = 0.001 * view.depth_mm.at(x, y);
       const auto point = z_m > 0 ? unproject(view.camera, {x, y}, z_m) : std::nullopt;
       if (!point) continue;
       const Eigen::Vector3d world_m = view.world_from_camera * *point;
-      if (std::ranges::any_of(sensors, [&](const auto& sensor) { return sees(sensor, world_m); }))
-        view.seen.at(x, y) = 255;
+      for (const StillTruth& sensor : sensors)
+        view.readings.at(x, y) = std::max(view.readings.at(x, y), readings_of(sensor, world_m));
     }
   }
+}
+
+void count_up(std::uint8_t& count) {
+  if (count < 255) ++count;
 }
 
 CameraIntrinsics lens_of(const TruthViewEntry& entry) {
@@ -110,14 +115,14 @@ Result<StillTruth> read_sensor_truth(const fs::path& rig, const recording::RigSe
   return truth;
 }
 
-void add_seen(DepthView depth_mm, StillTruth& truth) {
+void add_readings(DepthView depth_mm, StillTruth& truth) {
   if (!same_size(depth_mm, truth.depth_mm.view())) return;
   for (int y = 0; y < depth_mm.height; ++y) {
     for (int x = 0; x < depth_mm.width; ++x) {
       const int z_mm = depth_mm.at(x, y), true_mm = truth.depth_mm.at(x, y);
       const int limit_mm = std::max(50, 3 * true_mm / 100);
       if (z_mm > 0 && true_mm > 0 && std::abs(z_mm - true_mm) <= limit_mm)
-        truth.seen.at(x, y) = 255;
+        count_up(truth.readings.at(x, y));
     }
   }
 }
@@ -145,7 +150,7 @@ Result<std::vector<StillTruth>> read_view_truths(const fs::path& rig,
   }
   std::vector<StillTruth> list;
   for (auto& [view, truth] : truths) {
-    add_seen_by(sensors, truth);
+    add_readings_of(sensors, truth);
     list.push_back(std::move(truth));
   }
   return list;

@@ -19,20 +19,24 @@ struct StillTruth {
   CameraIntrinsics camera;
   RigidTransform world_from_camera;
   DepthImage depth_mm;  // 0 where nothing is, or nothing that stands still
-  MaskImage seen;       // 255 where a sensor saw that surface
+  MaskImage readings;   // of that surface by a sensor, up to 255
 };
 
-/// Of one sensor: the median of its noise-free pictures where most of them agree; nothing is seen
+/// A surface was seen when so many frames of a sensor read it.
+inline constexpr int kMinReadings = 3;
+
+/// Of one sensor: the median of its noise-free pictures where most of them agree; nothing is read
 /// yet. kNotFound without a truth folder; errors of its files.
 [[nodiscard]] Result<StillTruth> read_sensor_truth(const std::filesystem::path& rig,
                                                    const recording::RigSensorEntry& sensor,
                                                    const CameraIntrinsics& camera);
 
-/// Adds what a frame of that sensor shows to what it saw: readings within 5 cm or 3 % of the truth.
-void add_seen(DepthView depth_mm, StillTruth& truth);
+/// Counts the readings of a frame of that sensor: those within 5 cm or 3 % of the truth.
+void add_readings(DepthView depth_mm, StillTruth& truth);
 
-/// From the free viewpoints of the rig, where the same surface is there at both instants. Seen is
-/// what `sensors` saw, within 2 cm or 1 %. Empty for a rig without such views.
+/// From the free viewpoints of the rig, where the same surface is there at both instants. Its
+/// readings are those of the sensor in `sensors` that read it most, within 2 cm or 1 %. Empty for a
+/// rig without such views.
 [[nodiscard]] Result<std::vector<StillTruth>> read_view_truths(const std::filesystem::path& rig,
                                                                std::span<const StillTruth> sensors);
 
