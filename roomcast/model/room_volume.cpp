@@ -83,6 +83,7 @@ constexpr std::size_t kCorners = kBlockCorners * kBlockCorners * kBlockCorners;
 /// What the views know about a corner.
 struct Fused {
   float sum = 0, weight = 0;
+  bool hidden = false;                               // farther behind a surface
   Eigen::Vector3f facing = Eigen::Vector3f::Zero();  // sum of the normals of surfaces nearby
 };
 
@@ -124,7 +125,7 @@ class BlockFusion {
     VolumeBlock block{place, {}};
     const float units = VolumeBlock::kUnitsPerVoxel / options_.voxel_m;
     std::ranges::transform(fused_, block.distances.begin(), [&](const Fused& at) {
-      if (at.weight == 0) return VolumeBlock::kUnknown;
+      if (at.weight == 0) return at.hidden ? VolumeBlock::kHidden : VolumeBlock::kUnknown;
       return static_cast<std::int16_t>(std::lround(units * at.sum / at.weight));
     });
     return block;
@@ -141,7 +142,10 @@ class BlockFusion {
   }
 
   void add(std::size_t corner, const ViewSample& sample) {
-    if (sample.distance_m < -sample.truncation_m) return;
+    if (sample.distance_m < -sample.truncation_m) {
+      fused_[corner].hidden = true;
+      return;
+    }
     if (sample.distance_m < -options_.voxel_m) {
       behind_.push_back({corner, sample});
       return;
@@ -213,6 +217,17 @@ int cube_of_cell(const VolumeBlock& block, int x, int y, int z) {
     if (is_step(corners[from], corners[from | 1U << static_cast<unsigned>(e.axis)])) return 0;
   }
   return cube;
+}
+
+float crossing(std::int16_t from, std::int16_t to) {
+  constexpr float kFromCorner = 0.01F;  // in a corner several points would be one
+  // Just before a surface, what is hidden is a voxel farther.
+  const auto distance = [](std::int16_t here, std::int16_t other) {
+    return here == VolumeBlock::kHidden ? static_cast<float>(other) - VolumeBlock::kUnitsPerVoxel
+                                        : static_cast<float>(here);
+  };
+  const float a = distance(from, to), b = distance(to, from);
+  return std::clamp(a / (a - b), kFromCorner, 1 - kFromCorner);
 }
 
 Result<RoomVolume> fuse_views(std::span<const ViewSurface> views, const ModelOptions& options,

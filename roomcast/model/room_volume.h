@@ -37,6 +37,8 @@ struct VolumeBlock {
   std::array<std::int16_t, kBlockCorners * kBlockCorners * kBlockCorners> distances;
 
   static constexpr std::int16_t kUnknown = INT16_MIN;
+  /// Hidden behind a surface: inside, but how far is not known.
+  static constexpr std::int16_t kHidden = INT16_MIN + 1;
   static constexpr float kUnitsPerVoxel = 2048;
   static constexpr std::size_t index(int x, int y, int z) {
     return static_cast<std::size_t>((z * kBlockCorners + y) * kBlockCorners + x);
@@ -60,13 +62,19 @@ struct RoomVolume {
 
 /// Whether no surface is between two neighbouring corners although one is inside: beyond the
 /// outline of a thing, free space is beside what is hidden behind the thing. The outline itself,
-/// where the inner corner is just behind the surface, belongs to it.
+/// where the inner corner is just behind the surface or the outer one just before it, belongs to
+/// it.
 [[nodiscard]] constexpr bool is_step(std::int16_t a, std::int16_t b) {
-  constexpr int kJustBehind = static_cast<int>(-1.0F * VolumeBlock::kUnitsPerVoxel);
-  constexpr int kFree = static_cast<int>(2.5F * VolumeBlock::kUnitsPerVoxel);
+  constexpr int kVoxel = static_cast<int>(VolumeBlock::kUnitsPerVoxel);
   const int inner = a < b ? a : b, outer = a < b ? b : a;
-  return inner < kJustBehind && outer > kFree;
+  if (outer < 0) return false;
+  if (inner == VolumeBlock::kHidden) return outer >= kVoxel;
+  return inner < -kVoxel && 2 * outer > 5 * kVoxel;
 }
+
+/// How far the surface is from the first of two neighbouring corners on its two sides, as a share
+/// of the way to the second.
+[[nodiscard]] float crossing(std::int16_t from, std::int16_t to);
 
 /// Bit i says whether corner i of a cell is inside; 0 for a cell that the surface does not pass
 /// through, or that is not known well enough.

@@ -11,7 +11,6 @@ namespace roomcast::model {
 namespace {
 
 constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
-constexpr float kFromCorner = 0.01F;  // voxels
 constexpr Rgb8 kNoColor = {128, 128, 128};
 
 /// An edge of the whole room's grid, and the point on it.
@@ -59,14 +58,13 @@ class BlockMesher {
   std::uint32_t point_on(const VolumeBlock& block, int x, int y, int z, int axis) {
     std::uint32_t& point = points_[static_cast<std::size_t>(axis)][VolumeBlock::index(x, y, z)];
     if (point != kNoPoint) return point;
-    const float from = block.at(x, y, z);
-    const float to = block.at(x + (axis == 0), y + (axis == 1), z + (axis == 2));
+    const std::int16_t from = block.at(x, y, z);
+    const std::int16_t to = block.at(x + (axis == 0), y + (axis == 1), z + (axis == 2));
     const GridPlace corner = {kBlockCells * block.place.x + x, kBlockCells * block.place.y + y,
                               kBlockCells * block.place.z + z};
     Eigen::Vector3f at(static_cast<float>(corner.x), static_cast<float>(corner.y),
                        static_cast<float>(corner.z));
-    // Not in a corner, where several points would be one and triangles have no area.
-    at[axis] += std::clamp(from / (from - to), kFromCorner, 1 - kFromCorner);
+    at[axis] += crossing(from, to);
     point = static_cast<std::uint32_t>(mesh_.points_m.size());
     mesh_.points_m.push_back(voxel_m_ * at);
     const auto on_side = [&](int value, int of_axis) {
