@@ -62,9 +62,10 @@ TEST(RoomVolume, triangles_face_the_room) {
 }
 
 TEST(RoomVolume, nothing_is_invented_behind_things) {
-  // No point farther than a few voxels from a true surface: no flaps at outlines.
+  // At outlines a surface may reach a voxel or two too far, not more: no flaps.
   const auto errors = errors_mm(mesh_of(look_from_all(known_scene)), known_scene);
-  EXPECT_LT(errors.back(), 25);
+  EXPECT_LT(errors[errors.size() * 999 / 1000], 20);
+  EXPECT_LT(errors.back(), 80);  // a few points beside shadows
 }
 
 TEST(RoomVolume, a_board_seen_from_both_sides_keeps_its_thickness) {
@@ -100,6 +101,41 @@ TEST(RoomVolume, what_one_sensor_sees_through_is_carved) {
   views[2] = ViewSurface(ghost, {});
   const auto errors = errors_mm(mesh_of(views), floor_and_wall);
   EXPECT_LT(errors.back(), 40);
+}
+
+TEST(RoomVolume, pixels_that_are_read_now_and_then_leave_no_holes) {
+  // Half of the readings are missing, in another pattern in each frame; a tenth are missing in all.
+  const auto pose = fixture_poses()[2];
+  StillView view = *StillView::create(fixture_camera(), pose);
+  const DepthImage full_mm = look(fixture_camera(), pose, floor_and_wall);
+  std::mt19937 random(5);
+  MaskImage lost(256, 212);
+  for (int y = 0; y < 212; ++y)
+    for (int x = 0; x < 256; ++x) lost.at(x, y) = random() % 10 == 0;
+  for (int frame = 0; frame < 10; ++frame) {
+    DepthImage depth_mm = full_mm;
+    for (int y = 0; y < 212; ++y)
+      for (int x = 0; x < 256; ++x)
+        if (lost.at(x, y) != 0 || random() % 2 == 0) depth_mm.at(x, y) = 0;
+    view.add(depth_mm, {}, {});
+  }
+  StillView whole = *StillView::create(fixture_camera(), pose);
+  whole.add(full_mm, {}, {});
+  const std::vector<ViewSurface> sparse = {ViewSurface(view, {})}, dense = {ViewSurface(whole, {})};
+  EXPECT_GT(mesh_of(sparse).triangles.size(), mesh_of(dense).triangles.size() * 97 / 100);
+}
+
+TEST(RoomVolume, a_passer_by_over_a_floor_that_returns_no_light_is_not_kept) {
+  const auto pose = fixture_poses()[2];
+  StillView view = *StillView::create(fixture_camera(), pose);
+  for (int frame = 0; frame < 20; ++frame) {
+    DepthImage depth_mm(256, 212);
+    for (int y = 60; y < 160; ++y)
+      for (int x = 12 * frame; x < 12 * frame + 16; ++x) depth_mm.at(x, y) = 1500;
+    view.add(depth_mm, {}, {});
+  }
+  const std::vector<ViewSurface> views = {ViewSurface(view, {})};
+  EXPECT_TRUE(mesh_of(views).triangles.empty());
 }
 
 TEST(RoomVolume, says_what_to_do_when_memory_is_short) {

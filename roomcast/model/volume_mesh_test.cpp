@@ -69,7 +69,7 @@ TEST(VolumeMesh, a_ball_across_two_blocks_has_its_volume) {
   EXPECT_NEAR(six_volumes / 6 / (4.0 / 3 * M_PI * 27e-6), 0.94, 0.03);  // chords are inside
 }
 
-TEST(VolumeMesh, ends_where_distances_are_unknown_or_meet_in_a_step) {
+TEST(VolumeMesh, ends_where_distances_are_unknown) {
   const auto flat = [](int, int, int z) { return 1024 - 2048 * (z - 4); };
   const auto count = [](const RoomVolume& volume) { return mesh_volume(volume).triangles.size(); };
   const std::size_t all = count(volume_of(flat));
@@ -78,8 +78,14 @@ TEST(VolumeMesh, ends_where_distances_are_unknown_or_meet_in_a_step) {
               return x < 8 ? flat(x, y, z) : VolumeBlock::kUnknown;
             })),
             2u * 7 * 8);
-  EXPECT_EQ(count(volume_of([&](int x, int y, int z) { return x < 8 ? flat(x, y, z) : 6000; })),
-            2u * 7 * 8);
+}
+
+TEST(VolumeMesh, ends_a_voxel_after_the_outline_of_a_thing) {
+  for (const int beyond : {6000, static_cast<int>(VolumeBlock::kHidden)}) {
+    const auto volume =
+        volume_of([&](int x, int, int z) { return x < 8 ? 1024 - 2048 * (z - 4) : beyond; });
+    EXPECT_EQ(mesh_volume(volume).triangles.size(), 2u * 8 * 8) << beyond;
+  }
 }
 
 TEST(VolumeMesh, colors_are_those_that_the_views_see) {
