@@ -24,11 +24,13 @@ class MeshWriter final : public SetWriter {
 
   Status add(const FrameSet& set) override {
     ++totals_.sets;
-    return views_.add(set);
+    const Status status = views_.add(set);
+    failed_ = failed_ || !status;
+    return status;
   }
 
   Status finish() override {
-    if (stop_.stop_requested() || totals_.sets == 0) return {};
+    if (stop_.stop_requested() || failed_ || totals_.sets == 0) return {};
     const auto mesh = mesh_room(views_, options_, progress_, stop_);
     if (!mesh) return mesh.error();
     totals_.points = mesh->points_m.size();
@@ -53,6 +55,7 @@ class MeshWriter final : public SetWriter {
   const std::stop_token stop_;
   RoomViews views_;
   ExportTotals totals_;
+  bool failed_ = false;
 };
 
 void crop(const Eigen::AlignedBox3f& box_m, model::RoomMesh& mesh) {

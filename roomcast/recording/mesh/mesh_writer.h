@@ -38,7 +38,8 @@ using MeshProgress =
                                                 const std::stop_token& stop);
 
 /// Creates the folder `out`. finish() makes the mesh and writes the files, unless `stop` was
-/// requested. kInvalidArgument for options out of range; kUnavailable if the folder cannot be made.
+/// requested or add() failed. kInvalidArgument for options out of range; kUnavailable if the folder
+/// cannot be made.
 [[nodiscard]] Result<std::unique_ptr<SetWriter>> make_mesh_writer(
     const std::filesystem::path& out, const std::vector<SetSensor>& sensors,
     MeshWriterOptions options, MeshProgress progress = {}, std::stop_token stop = {});

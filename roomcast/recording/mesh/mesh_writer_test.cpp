@@ -90,6 +90,17 @@ TEST_F(MeshWriterTest, writes_nothing_after_an_interruption) {
   EXPECT_TRUE(std::filesystem::is_empty(out));
 }
 
+TEST_F(MeshWriterTest, writes_nothing_after_a_set_that_cannot_be_fused) {
+  auto writer = make();
+  FrameSet set = wall_set();
+  ASSERT_TRUE((*writer)->add(set));
+  set.frames[0].world_from_depth->translation_m.x() = 1e9;
+  set.frames[0].time = std::chrono::seconds(1);
+  EXPECT_FALSE((*writer)->add(set));
+  EXPECT_TRUE((*writer)->finish());
+  EXPECT_TRUE(std::filesystem::is_empty(out));
+}
+
 TEST_F(MeshWriterTest, refuses_options_out_of_range) {
   MeshWriterOptions options;
   options.model.voxel_m = 0.0001F;
