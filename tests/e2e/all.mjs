@@ -10,6 +10,7 @@ import './nudge.test.mjs';
 import './parts.test.mjs';
 import './picture.test.mjs';
 import './places.test.mjs';
+import './playback.test.mjs';
 import './recordings.test.mjs';
 import './room.test.mjs';
 import './security.test.mjs';

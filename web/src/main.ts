@@ -7,6 +7,7 @@ import type { Console } from './console/console';
 import { HubApi } from './console/hub_api';
 import type { Voices, Welcome } from './gen/control_pb';
 import { LazyConsole } from './lazy_console';
+import { LazyPlayback } from './lazy_playback';
 import { Look } from './look';
 import { Marking } from './marking';
 import { nudgeEvents } from './nudge_events';
@@ -56,6 +57,11 @@ class Page {
   readonly standpoint: Standpoint;
   readonly marking: Marking;
   private readonly headset: Headset;
+  private readonly playback = new LazyPlayback({
+    control: (command) => this.link.playback(command),
+    room: () => this.state.welcome?.room ?? '',
+    failed: () => this.breakDown(problemTexts.noPlayback),
+  });
   private readonly nudges = new SensorNudges();
   private readonly places = new RoomPlaces(browserStorage.store, () => this);
   private atHand: ViewFrame[] = []; // passed to the stage, not yet drawn
@@ -110,9 +116,10 @@ class Page {
       changed: () => this.places.show(),
     });
     const author = authorKey(browserStorage.store);
+    const { room, record, playback } = options;
     const hears = hearingObstacle(soundSupport()) === '';
     this.link = new RoomLink(
-      { socketUrl: url, room: options.room, name, record: options.record, access, hears, authorKey: author },
+      { socketUrl: url, room, record, playback, name, access, hears, authorKey: author },
       (message) => this.receive(message),
     );
     this.begin();
@@ -208,7 +215,8 @@ class Page {
   }
 
   private forTests() {
-    return { setMode: (mode: DrawMode) => this.setMode(mode), marks: () => this.marking.list };
+    const { playback } = this;
+    return { playback, setMode: (mode: DrawMode) => this.setMode(mode), marks: () => this.marking.list };
   }
 
   private receive(message: FromWorker): void {
@@ -231,6 +239,8 @@ class Page {
       case 'guide':
         this.standpoint.follow.guided(message.viewer);
         return this.panel.setGuide(this.state.welcome?.mayPlace ?? false, this.standpoint.follow.isGuide);
+      case 'playback':
+        return this.playback.show(message.state);
       case 'frames':
         return this.take(message.setId, message.frames, message.decodedAt_ms);
       case 'voices':
@@ -254,7 +264,7 @@ class Page {
     document.title = `${welcome.room || 'room'} · roomcast`;
     if (welcome.token) this.access.token = welcome.token;
     if (this.access.token) rememberAccess(this.access, tabStorage.store);
-    void this.offerConsole(welcome.mayPlace);
+    if (!this.options.playback) void this.offerConsole(welcome.mayPlace);
     this.tellPosePublisher();
   }
 
@@ -332,6 +342,7 @@ class Page {
     this.atHand = [];
     this.state.framesShown(this.setAtHand, frames, pageTime_ms());
     this.link.shown(frames);
+    this.playback.drawn(frames);
   }
 
   private refresh(now_ms: number, frame: XRFrame | undefined): void {

@@ -13,6 +13,7 @@ describe("the page's URL", () => {
       name: '',
       room: '',
       best: false,
+      playback: undefined,
       record: false,
     });
   });
@@ -24,6 +25,12 @@ describe("the page's URL", () => {
     expect(options).toMatchObject({ best: true, record: true });
     expect(options.view!.position).toEqual(new Vector3(1, 1.6, -2));
     expect(options.view!.distance).toBeCloseTo(3);
+  });
+  test('may name a recording, and a moment of it', () => {
+    expect(parseOptions('?play=one&from=12.5').playback).toEqual({ recording: 'one', from_s: 12.5 });
+    for (const from of ['', 'x', '-3', 'Infinity'])
+      expect(parseOptions(`?play=a%2Fb&from=${from}`).playback).toEqual({ recording: 'a/b', from_s: 0 });
+    expect(parseOptions('?from=12').playback).toBeUndefined();
   });
   test('with invalid values gives the defaults', () => {
     for (const at of ['', '1,2', '1,2,x', '1,,3', '1,2,Infinity', '1,2,3,4']) expect(parsePoint(at)).toBeUndefined();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses the options in the page's URL: ?mode=blend|mesh|points &at=x,y,z &look=x,y,z &panel=0 &name=... &room=...
-// &quality=best &record=1. After the # are the credential (access.ts) and a shared viewpoint (view/view_address.ts), which
+// &quality=best &play=recording &from=seconds &record=1. After the # are the credential (access.ts) and a shared viewpoint (view/view_address.ts), which
 // takes precedence.
 import { Vector3 } from 'three';
 import { parsePoint } from './point';
@@ -16,6 +16,7 @@ export interface PageOptions {
   name: string;
   room: string;
   best: boolean; // draw at the finest quality, however slow: for pictures
+  playback: { recording: string; from_s: number } | undefined; // of the room, instead of its live picture
   record: boolean; // keep a record of decoded frames, for tests
 }
 
@@ -31,8 +32,15 @@ export function parseOptions(search: string, hash = ''): PageOptions {
     name: asName(given.get('name') ?? ''),
     room: asName(given.get('room') ?? ''),
     best: given.get('quality') === 'best',
+    playback: playbackOf(given),
     record: given.get('record') === '1',
   };
+}
+
+function playbackOf(given: URLSearchParams): PageOptions['playback'] {
+  const recording = given.get('play') ?? '';
+  const from_s = Number(given.get('from') ?? 0);
+  return recording === '' ? undefined : { recording, from_s: Number.isFinite(from_s) ? Math.max(0, from_s) : 0 };
 }
 
 /** The socket of the hub that served this page: page and socket share one port. */

@@ -17,6 +17,7 @@ export const recordingTexts = {
   unread: (count: number) => `The hub is still reading ${count === 1 ? 'one more file' : `${count} more files`}.`,
   leftOut: (count: number) => `${count === 1 ? 'One older file is' : `${count} older files are`} not in this list.`,
   showAll: (count: number) => `Show all ${count}`,
+  play: 'Play',
   download: 'Download',
   rename: 'Rename',
   remove: 'Delete',
@@ -27,4 +28,23 @@ export const recordingTexts = {
   cancel: 'Cancel',
   removed: (name: string) => `${name} is deleted.`,
   renamed: (name: string) => `It is called ${name} now.`,
+};
+
+export const playbackTexts = {
+  title: 'Playback',
+  unreachable: 'The hub cannot be reached.',
+  gone: 'This recording is not there any more: it was deleted or renamed.',
+  notAllowed: 'Recordings are for the room’s admins: a link or token of one is needed.',
+  refused: (sentence: string) => `The recording cannot be played: ${sentence.replace(/\.$/, '')}.`,
+  noRoom: 'The address of a recording must also name its room: ?room=NAME&play=RECORDING.',
+  unreadable: 'This recording is damaged and cannot be played.',
+  play: 'Play',
+  pause: 'Pause',
+  position: 'Position in the recording',
+  of: (position: string, length: string) => `${position} of ${length}`,
+  speed: 'Speed',
+  speeds: { '0.25': '¼ ×', '0.5': '½ ×', '1': '1 ×', '2': '2 ×', '4': '4 ×' },
+  loop: 'Repeat',
+  live: 'Live room',
+  damaged: 'The recording is damaged here: something is missing.',
 };

@@ -3,6 +3,7 @@
 // strings. Pixels are CSS pixels of the canvas, from the top left.
 import { Vector3 } from 'three';
 import type { Mark, Pose } from './gen/control_pb';
+import type { LazyPlayback } from './lazy_playback';
 import type { RoomState } from './room_state';
 import type { Sound } from './sound';
 import { crc32 } from './stream/crc32';
@@ -22,6 +23,7 @@ export interface TestApiParts {
   marks(): readonly Mark[];
   setMode(mode: DrawMode): void;
   sound: Sound;
+  playback: LazyPlayback;
 }
 
 type Triple = [number, number, number];
@@ -132,6 +134,11 @@ export class TestApi {
   /** Null before the voice module is loaded. */
   voice() {
     return this.parts.sound.figures;
+  }
+
+  /** State of the recording that is played, and how long the last seek took; null in a live room. */
+  playback() {
+    return this.parts.playback.figures;
   }
 
   /** The room's marks as they were received, oldest first. */

@@ -161,7 +161,7 @@ export const panelTexts = {
   wrong: 'Problems',
   closePanel: 'Close the panel',
   openPanel: 'Open the panel',
-  phases: { joined: 'live', connecting: 'connecting', waiting: 'not connected', broken: 'stopped' },
+  phases: { joined: 'live', recorded: 'recording', connecting: 'connecting', waiting: 'not connected', broken: 'stopped' },
   received: { label: 'MB/s', title: 'Received in all, 10⁶ bytes per second' },
   shown: { label: 'fps', title: 'Frame sets shown per second' },
   latency: { label: 'latency', title: 'From capture to screen, median of the last second, ± error of the clock' },
@@ -333,6 +333,7 @@ export const problemTexts = {
   noColorInsecure:
     'Browsers decode colour only on pages loaded over HTTPS: depth is shown without it. Start the hub with ' +
     '--tls-self-signed and open its https:// address; on the hub’s own computer http://localhost works, too.',
+  noPlayback: 'The controls of the recording could not be loaded.',
   noConsole: 'The console could not be loaded. Press its button to try again, or load the page again.',
   connecting: (hub: string) => `Connecting to ${hub} …`,
   tryingIn: (seconds: number) => `Trying again in ${seconds} s.`,

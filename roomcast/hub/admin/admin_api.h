@@ -61,6 +61,8 @@ class AdminApi {
   void start_recording(const Call& call);
   void stop_recording(const Call& call);
   void list_recordings(const Call& call) const;
+  void about_recording(const Call& call) const;
+  void recording_part(const Call& call) const;
   void recording_file(const Call& call) const;
   void rename_recording(const Call& call) const;
   void delete_recording(const Call& call) const;

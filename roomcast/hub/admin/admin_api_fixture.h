@@ -42,6 +42,17 @@ class FakeFiles final : public KeptRecordings {
       if (is_in(scope, file)) list.recordings.push_back(file);
     done(list);
   }
+  void about(RecordingScope scope, std::string name, WhenKnown<KeptRecording> done) override {
+    const auto found = find(scope, name);
+    if (!found) return done(found.error());
+    done(**found);
+  }
+  void part(RecordingScope scope, std::string name, WantedPart wanted,
+            WhenKnown<std::shared_ptr<const std::string>> done) override {
+    if (const auto found = find(scope, name); !found) return done(found.error());
+    done(std::make_shared<const std::string>((wanted.is_moment ? "moment " : "part ") +
+                                             std::to_string(wanted.number)));
+  }
   void open(RecordingScope scope, std::string name,
             WhenKnown<std::shared_ptr<const net::LongBody>> done) override {
     const auto found = find(scope, name);

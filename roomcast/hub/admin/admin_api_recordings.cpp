@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The AdminApi's calls about a room's recordings: the running one, and the files.
+#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -29,6 +30,15 @@ std::optional<std::string> name_in(const std::string& body) {
   const auto name = json.find("name");
   if (name == json.end() || !name->is_string()) return std::nullopt;
   return name->get<std::string>();
+}
+
+/// Digits only.
+std::optional<std::uint32_t> number_in(const std::string& text) {
+  std::uint32_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [read_to, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || read_to != end) return std::nullopt;
+  return number;
 }
 
 /// Files that do not say their room are shown to admins of the whole hub only.
@@ -61,6 +71,11 @@ void AdminApi::carry_out_on_recordings(const Call& call) {
       return stop_recording(call);
     case AdminCall::kListRecordings:
       return list_recordings(call);
+    case AdminCall::kAboutRecording:
+      return about_recording(call);
+    case AdminCall::kRecordingMoment:
+    case AdminCall::kRecordingPart:
+      return recording_part(call);
     case AdminCall::kRecordingFile:
       return recording_file(call);
     case AdminCall::kMakeDownload:
@@ -109,6 +124,31 @@ void AdminApi::list_recordings(const Call& call) const {
                                                             {"left_out", list->left_out},
                                                             {"unread", list->unread}}));
                            });
+}
+
+void AdminApi::about_recording(const Call& call) const {
+  recordings_->kept().about(scope_of(call, call.parameter(0)), call.parameter(1),
+                            [call](const Result<KeptRecording>& found) {
+                              call.respond(found ? json_answer(200, kept_recording_json(*found))
+                                                 : refusal_of(found.error()));
+                            });
+}
+
+void AdminApi::recording_part(const Call& call) const {
+  const auto number = number_in(call.parameter(2));
+  if (!number)
+    return call.respond(error_answer(400, "bad_request", "the address must end with a number"));
+  recordings_->kept().part(
+      scope_of(call, call.parameter(0)), call.parameter(1),
+      {.is_moment = call.match.route.call == AdminCall::kRecordingMoment, .number = *number},
+      [call](const Result<std::shared_ptr<const std::string>>& part) {
+        if (!part) return call.respond(refusal_of(part.error()));
+        net::HttpResponse response;
+        response.content_type = "application/octet-stream";
+        response.body = *part;
+        response.cache_control = "no-store";
+        call.respond(std::move(response));
+      });
 }
 
 void AdminApi::recording_file(const Call& call) const {

@@ -45,7 +45,10 @@ TEST_F(AdminApiRecordingsTest, are_for_the_admins_of_their_room_only) {
                                                         {"PATCH", "/one"},
                                                         {"DELETE", "/one"},
                                                         {"GET", "/one/file"},
-                                                        {"POST", "/one/download"}}) {
+                                                        {"POST", "/one/download"},
+                                                        {"GET", "/one"},
+                                                        {"GET", "/one/moments/0"},
+                                                        {"GET", "/one/parts/0"}}) {
     const std::string address = "/rooms/lab/recordings" + path;
     EXPECT_EQ(ask(method, address).code(), "unauthenticated") << method << path;
     EXPECT_EQ(ask(method, address, token("lab", TokenRole::kViewer)).code(), "wrong_role");
@@ -64,6 +67,21 @@ TEST_F(AdminApiRecordingsTest, are_renamed_and_deleted) {
   EXPECT_EQ(ask("PATCH", "/rooms/lab/recordings/lost", hub_admin, {{"name", 1}}).code(),
             "bad_request");
   EXPECT_EQ(ask("PATCH", "/rooms/lab/recordings/lost", hub_admin).code(), "bad_request");
+}
+
+TEST_F(AdminApiRecordingsTest, are_played_part_by_part) {
+  const auto body = [&](const std::string& path) {
+    return *ask("GET", "/rooms/lab/recordings" + path, hub_admin).response.body;
+  };
+  EXPECT_EQ(ask("GET", "/rooms/lab/recordings/one", hub_admin).body["seconds"], 2.5);
+  EXPECT_EQ(body("/one/moments/1500"), "moment 1500");
+  EXPECT_EQ(body("/one/parts/7"), "part 7");
+  for (const char* bad : {"-1", "1.5", "x", "99999999999", "1%20"}) {
+    const std::string path = std::string("/rooms/lab/recordings/one/parts/") + bad;
+    EXPECT_EQ(ask("GET", path, hub_admin).code(), "bad_request") << bad;
+  }
+  EXPECT_EQ(ask("GET", "/rooms/lab/recordings/none/parts/0", hub_admin).code(), "not_found");
+  EXPECT_EQ(ask("GET", "/rooms/lab/recordings/busy/moments/0", hub_admin).code(), "conflict");
 }
 
 TEST_F(AdminApiRecordingsTest, are_fetched_with_a_token_or_once_by_a_link) {

@@ -30,6 +30,7 @@ using hub::RecordingScope;
 
 constexpr std::string_view kEnding = ".mcap";
 constexpr std::chrono::milliseconds kReadingTime{200};  // of new files, before a list is answered
+constexpr std::size_t kMaxPlayable = 4;                 // open at a time
 constexpr std::size_t kMaxFiles = 10'000;               // older ones are not looked at
 
 class RecordingBody final : public net::LongBody {
@@ -131,6 +132,18 @@ RecordingFolder::~RecordingFolder() {
 void RecordingFolder::list(RecordingScope scope, hub::WhenKnown<RecordingList> done) {
   boost::asio::post(
       orders_, [this, scope = std::move(scope), done = std::move(done)] { done(list_now(scope)); });
+}
+
+void RecordingFolder::about(RecordingScope scope, std::string name,
+                            hub::WhenKnown<KeptRecording> done) {
+  boost::asio::post(orders_, [this, scope = std::move(scope), name = std::move(name),
+                              done = std::move(done)] { done(find_finished(scope, name)); });
+}
+
+void RecordingFolder::part(RecordingScope scope, std::string name, hub::WantedPart wanted,
+                           hub::WhenKnown<std::shared_ptr<const std::string>> done) {
+  boost::asio::post(orders_, [this, scope = std::move(scope), name = std::move(name), wanted,
+                              done = std::move(done)] { done(part_now(scope, name, wanted)); });
 }
 
 void RecordingFolder::open(RecordingScope scope, std::string name,
@@ -275,11 +288,48 @@ Result<KeptRecording> RecordingFolder::rename_now(const RecordingScope& scope,
   return find(scope, to);
 }
 
+Result<std::shared_ptr<const std::string>> RecordingFolder::part_now(const RecordingScope& scope,
+                                                                     const std::string& name,
+                                                                     hub::WantedPart wanted) {
+  if (const auto found = find_finished(scope, name); !found) return found.error();
+  const auto recording = playable(name);
+  if (!recording) return recording.error();
+  if (wanted.is_moment)
+    return std::make_shared<const std::string>(
+        (*recording)->moment(std::chrono::milliseconds(wanted.number)));
+  auto part = (*recording)->part(wanted.number);
+  if (!part) return part.error();
+  return std::make_shared<const std::string>(*std::move(part));
+}
+
+/// Opening reads more of the file than a list needs, so the last ones stay open.
+Result<std::shared_ptr<const recording::PlayableRecording>> RecordingFolder::playable(
+    const std::string& name) {
+  const auto stamp = stamp_of(path_of(name));
+  if (!stamp) return no_such_recording(name);
+  const auto found = std::ranges::find(playable_, name, &Playable::name);
+  if (found != playable_.end()) {
+    Playable open = std::move(*found);
+    playable_.erase(found);
+    if (open.stamp == *stamp) {
+      playable_.push_front(open);
+      return open.recording;
+    }
+  }
+  auto opened = recording::PlayableRecording::open(path_of(name));
+  if (!opened) return malformed(as_sentence(opened.error().message, path_of(name)));
+  playable_.push_front(
+      {name, *stamp, std::make_shared<const recording::PlayableRecording>(*std::move(opened))});
+  if (playable_.size() > kMaxPlayable) playable_.pop_back();
+  return playable_.front().recording;
+}
+
 Status RecordingFolder::remove_now(const RecordingScope& scope, const std::string& name) {
   if (const auto found = find_finished(scope, name); !found) return found.error();
   std::error_code error;
   const bool was_there = std::filesystem::remove(path_of(name), error);
   known_.erase(name);
+  std::erase_if(playable_, [&](const Playable& open) { return open.name == name; });
   if (error) return unavailable("the recording cannot be deleted: " + error.message());
   return was_there ? Status() : no_such_recording(name);
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -20,6 +21,7 @@
 #include <boost/asio/io_context.hpp>
 
 #include "roomcast/hub/runtime/kept_recordings.h"
+#include "roomcast/recording/room/recording_part.h"
 
 namespace roomcast::hub::daemon {
 
@@ -34,6 +36,10 @@ class RecordingFolder final : public hub::KeptRecordings {
   ~RecordingFolder() override;
 
   void list(hub::RecordingScope scope, hub::WhenKnown<hub::RecordingList> done) override;
+  void about(hub::RecordingScope scope, std::string name,
+             hub::WhenKnown<hub::KeptRecording> done) override;
+  void part(hub::RecordingScope scope, std::string name, hub::WantedPart wanted,
+            hub::WhenKnown<std::shared_ptr<const std::string>> done) override;
   void open(hub::RecordingScope scope, std::string name,
             hub::WhenKnown<std::shared_ptr<const net::LongBody>> done) override;
   void rename(hub::RecordingScope scope, std::string name, std::string to,
@@ -58,6 +64,13 @@ class RecordingFolder final : public hub::KeptRecordings {
     hub::KeptRecording recording;
   };
 
+  /// Being played, by whomever.
+  struct Playable {
+    std::string name;
+    Stamp stamp;
+    std::shared_ptr<const recording::PlayableRecording> recording;
+  };
+
   // All of these on the worker.
   [[nodiscard]] std::filesystem::path path_of(const std::string& name) const;
   [[nodiscard]] static std::optional<Stamp> stamp_of(const std::filesystem::path& path);
@@ -70,11 +83,16 @@ class RecordingFolder final : public hub::KeptRecordings {
                                            const std::string& name);
   Result<hub::KeptRecording> rename_now(const hub::RecordingScope& scope, const std::string& name,
                                         const std::string& to);
+  Result<std::shared_ptr<const std::string>> part_now(const hub::RecordingScope& scope,
+                                                      const std::string& name,
+                                                      hub::WantedPart wanted);
+  Result<std::shared_ptr<const recording::PlayableRecording>> playable(const std::string& name);
   Status remove_now(const hub::RecordingScope& scope, const std::string& name);
 
   const std::filesystem::path folder_;
   const std::function<bool(const std::filesystem::path&)> is_running_;
   std::map<std::string, Known> known_;  // by name
+  std::deque<Playable> playable_;       // the one that was used last first
   boost::asio::io_context orders_{1};
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> keep_open_ =
       boost::asio::make_work_guard(orders_);

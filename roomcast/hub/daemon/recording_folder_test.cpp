@@ -67,6 +67,14 @@ class RecordingFolderTest : public testing::Test {
     return read.get_future().get();
   }
 
+  Result<std::string> part(const std::string& name, WantedPart wanted) {
+    std::promise<Result<std::string>> part;
+    kept_.part({.room = "lab"}, name, wanted, [&](const auto& found) {
+      part.set_value(found ? Result<std::string>(**found) : found.error());
+    });
+    return part.get_future().get();
+  }
+
   TemporaryFolder folder_;
   std::set<std::filesystem::path> running_;
   RecordingFolder kept_{folder_.path(),
@@ -180,6 +188,21 @@ TEST_F(RecordingFolderTest, opens_a_file_that_stays_readable_when_it_is_deleted)
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(read->substr(1, 4), "MCAP");
   EXPECT_EQ(content("../one").error().code, ErrorCode::kNotFound);
+}
+
+TEST_F(RecordingFolderTest, gives_parts_until_the_file_is_changed_or_deleted) {
+  record("one");
+  const auto first = part("one", {.is_moment = true, .number = 500});
+  ASSERT_TRUE(first.ok()) << first.error().message;
+  EXPECT_EQ(first->substr(0, 4), "RCPT");
+  EXPECT_TRUE(part("one", {.number = 0}).ok());
+  EXPECT_EQ(part("one", {.number = 99}).error().code, ErrorCode::kNotFound);
+  std::ofstream(file("one")) << "overwritten";
+  EXPECT_FALSE(part("one", {.number = 0}).ok());
+  record("two");
+  EXPECT_TRUE(part("two", {.number = 0}).ok());
+  EXPECT_TRUE(remove("two").ok());
+  EXPECT_EQ(part("two", {.number = 0}).error().code, ErrorCode::kNotFound);
 }
 
 TEST_F(RecordingFolderTest, lists_no_more_than_the_newest_thousand) {

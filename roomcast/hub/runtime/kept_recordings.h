@@ -62,6 +62,12 @@ struct RecordingScope {
   bool unknown_too = false;  // also files that do not say their room
 };
 
+/// Of a recording that is played: docs/spec/playback.md.
+struct WantedPart {
+  bool is_moment = false;
+  std::uint32_t number = 0;  // of the part, or milliseconds since the start
+};
+
 template <class T>
 using WhenKnown = std::function<void(Result<T>)>;
 
@@ -72,6 +78,10 @@ class KeptRecordings {
   virtual void list(RecordingScope scope, WhenKnown<RecordingList> done) = 0;
   // `name` is a KeptRecording's. kNotFound: there is none of that name in this scope. kUnavailable:
   // it is being recorded, or the disk refuses.
+  virtual void about(RecordingScope scope, std::string name, WhenKnown<KeptRecording> done) = 0;
+  /// Also what PlayableRecording returns.
+  virtual void part(RecordingScope scope, std::string name, WantedPart wanted,
+                    WhenKnown<std::shared_ptr<const std::string>> done) = 0;
   virtual void open(RecordingScope scope, std::string name,
                     WhenKnown<std::shared_ptr<const net::LongBody>> done) = 0;
   /// Also kInvalidArgument: `to` is no name for a file, or is in use.

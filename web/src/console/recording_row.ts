@@ -31,6 +31,7 @@ export class RecordingRow implements Row<KeptRecording> {
   private readonly name = element('strong');
   private readonly facts = element('span', { class: 'note' });
   private readonly trouble = element('span', { class: 'trouble' });
+  private readonly play = element('a', { class: 'plain' }, texts.play);
   private readonly download: HTMLButtonElement;
   private readonly rename: HTMLButtonElement;
   private readonly remove: HTMLButtonElement;
@@ -41,13 +42,16 @@ export class RecordingRow implements Row<KeptRecording> {
 
   constructor(
     private readonly called: string,
+    room: string,
     private readonly events: RecordingRowEvents,
   ) {
+    this.play.href = `?${new URLSearchParams({ room, play: called }).toString()}`;
+    this.play.setAttribute('aria-label', texts.of(texts.play, called));
     this.download = this.button(texts.download, () => events.download(called));
     this.rename = this.button(texts.rename, () => this.setRenaming(true));
     this.remove = this.button(texts.remove, () => this.removeOrAsk());
     this.remove.addEventListener('blur', () => this.ask(false));
-    this.actions = element('span', { class: 'actions' }, this.download, this.rename, this.remove);
+    this.actions = element('span', { class: 'actions' }, this.play, this.download, this.rename, this.remove);
     setText(this.name, called);
     this.fillForm();
     this.root.append(this.name, this.facts, this.trouble, this.actions, this.form);
@@ -58,6 +62,7 @@ export class RecordingRow implements Row<KeptRecording> {
     setText(this.facts, factsOf(recording));
     setText(this.trouble, [texts.states[state], problem].filter(Boolean).join(' '));
     this.trouble.classList.toggle('running', state === 'running');
+    this.play.hidden = state === 'running' || state === 'unreadable';
     for (const button of [this.download, this.rename, this.remove]) button.disabled = state === 'running';
   }
 

@@ -22,7 +22,7 @@ export interface RecordingList {
 export class RecordingsApi {
   constructor(
     private readonly api: HubApi,
-    private readonly room: () => string,
+    readonly room: () => string,
   ) {}
 
   list(): Promise<RecordingList> {

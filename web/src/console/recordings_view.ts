@@ -29,7 +29,7 @@ export class RecordingsView {
       remove: (name: string) => void this.trying(() => this.remove(name)),
       rename: (name: string, to: string) => this.trying(() => this.rename(name, to)),
     };
-    this.rows = new KeyedList(this.list, ({ name }) => name, ({ name }) => new RecordingRow(name, events), empty);
+    this.rows = new KeyedList(this.list, ({ name }) => name, ({ name }) => new RecordingRow(name, api.room(), events), empty);
     this.more.addEventListener('click', () => {
       this.showsAll = true;
       this.list.tabIndex = -1; // the button goes away

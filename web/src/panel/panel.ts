@@ -175,7 +175,7 @@ export class Panel {
   showPeople(): void {
     const { state, followed } = this;
     this.people.show(state.roster?.viewers ?? [], state.welcome?.viewerId, followed, state);
-    this.name.setHere(this.state.welcome !== undefined);
+    this.name.setHere(Boolean(this.state.welcome?.viewerId)); // nobody is in a recording that is played
   }
 
   refresh(): void {
@@ -186,7 +186,7 @@ export class Panel {
     const live = phase === 'joined';
     setText(this.title, state.welcome?.room || 'roomcast');
     this.root.dataset.phase = phase;
-    setText(this.phase, texts.phases[phase]);
+    setText(this.phase, texts.phases[live && !state.welcome?.viewerId ? 'recorded' : phase]);
     setText(this.received.value, live ? megabytes(state.bytesPerSecond) : '–');
     setText(this.shown.value, live ? perSecond(state.shownFps) : '–');
     const latency = `${milliseconds(state.latency_ms)} ${clockError(status?.clock?.error_ms)}`.trim();

@@ -26,6 +26,12 @@ export class FrameMailbox<Frame extends SensorFrame> {
     this.sendIfFree();
   }
 
+  /** Discards what waits. */
+  clear(): void {
+    for (const frame of this.waiting.values()) this.discard(frame);
+    this.waiting.clear();
+  }
+
   /** The page has drawn the last set. */
   pageIsFree(): void {
     this.pageIsBusy = false;

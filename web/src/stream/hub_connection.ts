@@ -3,16 +3,17 @@
 // connects to another hub with this room. docs/spec/wire.md §1, §3 and §5. Local time is this program's
 // performance.now, in milliseconds.
 import { pingDelay_ms, RoomClock } from '../clock/room_clock';
-import { ErrorCode, type Control, type Marks, type Roster, type ViewerPose, type Voices, type Welcome } from '../gen/control_pb';
+import { ErrorCode, type Control, type Welcome } from '../gen/control_pb';
 import { connectionTexts } from '../texts';
-import { audioPayload, encodeAudio, parseAudioHeader, type AudioHeader } from '../wire/audio_header';
+import { audioPayload, encodeAudio, parseAudioHeader } from '../wire/audio_header';
 import { decodeControl, encodeControl, type ControlMessage } from '../wire/control';
-import { framePayload, MessageType, messageType, parseFrameHeader, type FrameHeader } from '../wire/frame_header';
+import { framePayload, MessageType, messageType, parseFrameHeader } from '../wire/frame_header';
 import { asName } from '../wire/name_check';
 import { malformed, WireError } from '../wire/wire_error';
 import { explain, isHopeless, reconnectDelay_ms, type Ending, type Explanation } from './close_reason';
 import { HubChoice } from './hub_choice';
 import { initialState, pageTime_ms, type ConnectionState, type StartOptions } from './protocol';
+import type { RoomEvents, RoomSource } from './room_source';
 import { SocketRace } from './socket_race';
 
 const subprotocol = 'roomcast.v1';
@@ -25,22 +26,9 @@ const silenceCheck_ms = 100;
 const normalClosure = 1000;
 const policyClosure = 4000; // private range: a browser may not send 1002 or 1008
 
-export interface HubEvents {
-  connection(state: ConnectionState): void;
-  welcome(welcome: Welcome): void;
-  roster(roster: Roster): void;
-  poses(poses: ViewerPose[]): void;
-  marks(marks: Marks): void;
-  /** Who shows everybody around; 0: nobody. */
-  guide(viewer: number): void;
-  frame(header: FrameHeader, payload: Uint8Array): void;
-  voices(voices: Voices): void;
-  audio(header: AudioHeader, payload: Uint8Array): void;
-  /** The connection ended; a new one follows. */
-  disconnected(): void;
-}
+export type HubEvents = Omit<RoomEvents, 'playback' | 'rewound'>;
 
-export class HubConnection {
+export class HubConnection implements RoomSource {
   received_bytes = 0;
   clock = new RoomClock();
 
@@ -101,6 +89,9 @@ export class HubConnection {
     this.forget();
     this.connect();
   }
+
+  /** A live room cannot be sought in. */
+  control(): void {}
 
   private get room(): string {
     return this.options.room || this.options.access.room;

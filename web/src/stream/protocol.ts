@@ -69,6 +69,28 @@ export interface Status {
   colorProblem: string; // reason why colour cannot be decoded here, or empty
 }
 
+/** What a person wants of the recording that is played; what is left out stays as it is. */
+export interface PlaybackCommand {
+  seek_s?: number;
+  paused?: boolean;
+  speed?: number;
+  loops?: boolean;
+}
+
+export interface PlaybackState {
+  name: string;
+  began_at: number; // seconds since 1970
+  length_s: number;
+  position_s: number;
+  paused: boolean;
+  speed: number;
+  loops: boolean;
+  isWaiting: boolean; // for the hub
+  isDamaged: boolean; // something is missing at the position
+  seeks: number; // that have been carried out: frames that come after this are of the last one
+  moment: readonly { sensor: number; seq: number }[]; // the frames that show the moment that was sought
+}
+
 export type FromWorker =
   | { kind: 'connection'; state: ConnectionState }
   | { kind: 'welcome'; welcome: Welcome }
@@ -78,6 +100,7 @@ export type FromWorker =
   | { kind: 'spoken' } // audio has come, and there is no voice worker yet
   | { kind: 'marks'; marks: Marks }
   | { kind: 'guide'; viewer: number } // 0: nobody
+  | { kind: 'playback'; state: PlaybackState }
   | { kind: 'frames'; setId: bigint; frames: ViewFrame[]; decodedAt_ms: number }
   | { kind: 'status'; status: Status }
   | { kind: 'broken'; sentence: string }; // the worker cannot continue
@@ -90,6 +113,7 @@ export interface StartOptions {
   hears: boolean; // ask the hub for audio
   access: Access;
   authorKey: Uint8Array; // of this viewer's marks
+  playback?: { recording: string; from_s: number } | undefined; // instead of the live room
 }
 
 /** A mark to leave. `points`: x, y, z of each; metres, world. */
@@ -108,6 +132,7 @@ export type ToWorker =
   | { kind: 'mark'; mark: NewMark }
   | { kind: 'removeMarks'; ids: number[] }
   | { kind: 'guide'; on: boolean }
+  | { kind: 'playback'; command: PlaybackCommand }
   | { kind: 'rename'; name: string } // joins again
   | { kind: 'stats'; lastSetId: bigint; shownFps: number; latency_ms: number };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's interface to its worker.
 import { problemTexts } from '../texts';
-import type { Body, FromWorker, NewMark, StartOptions, ToWorker, ViewFrame } from './protocol';
+import type { Body, FromWorker, NewMark, PlaybackCommand, StartOptions, ToWorker, ViewFrame } from './protocol';
 
 export class RoomLink {
   private readonly worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'roomcast' });
@@ -45,6 +45,10 @@ export class RoomLink {
 
   guide(on: boolean): void {
     this.tell({ kind: 'guide', on });
+  }
+
+  playback(command: PlaybackCommand): void {
+    this.tell({ kind: 'playback', command });
   }
 
   /** Joins the room again under another name. */

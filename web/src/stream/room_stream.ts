@@ -22,6 +22,7 @@ import {
   type ToWorker,
   type ViewFrame,
 } from './protocol';
+import type { RoomEvents, RoomSource } from './room_source';
 import { SensorStream } from './sensor_stream';
 
 const statusInterval_ms = 250;
@@ -44,7 +45,8 @@ export class RoomStream {
   private codec: CodecModule | undefined;
   private color: VideoDecoderConfig | undefined;
   private options: StartOptions | undefined;
-  private hub: HubConnection | undefined;
+  private isOpening = false;
+  private hub: RoomSource | undefined;
   private decoded: DecodedRecord[] = [];
   private voice: MessagePort | undefined;
   private hasSpoken = false; // the page knows that audio comes
@@ -79,6 +81,8 @@ export class RoomStream {
         return this.hub?.send({ case: 'removeMarks', value: { ids: message.ids } });
       case 'guide':
         return this.hub?.send({ case: 'guide', value: { on: message.on } });
+      case 'playback':
+        return this.hub?.control(message.command);
       case 'rename':
         return this.hub?.rename(message.name);
       case 'stats': {
@@ -89,21 +93,37 @@ export class RoomStream {
   }
 
   private connectWhenReady(): void {
-    if (!this.codec || !this.options || this.hub) return;
-    this.hub = new HubConnection(this.options, {
+    if (!this.codec || !this.options || this.isOpening) return;
+    this.isOpening = true;
+    void this.open(this.options);
+  }
+
+  private async open(options: StartOptions): Promise<void> {
+    const events: RoomEvents = {
       connection: (state) => this.post({ kind: 'connection', state }),
       welcome: (welcome) => this.post({ kind: 'welcome', welcome }),
       roster: (roster) => this.follow(roster),
       poses: (poses) => this.post({ kind: 'poses', poses }),
       marks: (marks) => this.post({ kind: 'marks', marks }),
       guide: (viewer) => this.post({ kind: 'guide', viewer }),
-      frame: (header, payload) => this.push(header, payload),
+      frame: (header, payload, isHidden) => this.push(header, payload, isHidden),
       voices: (voices) => this.post({ kind: 'voices', voices }),
       audio: (header, payload) => this.hear(header, payload),
       disconnected: () => this.restartSensors(),
-    });
-    this.hub.connect();
-    setInterval(() => this.reportStatus(), statusInterval_ms);
+      rewound: () => this.rewindSensors(),
+      playback: (state) => this.post({ kind: 'playback', state }),
+    };
+    const source = await this.sourceFor(options, events);
+    this.hub = source;
+    source.connect();
+    setInterval(() => this.reportStatus(source), statusInterval_ms);
+  }
+
+  /** What plays recordings is loaded only for that. */
+  private async sourceFor(options: StartOptions, events: RoomEvents): Promise<RoomSource> {
+    if (!options.playback) return new HubConnection(options, events);
+    const { RecordingPlayer } = await import('../playback/recording_player');
+    return new RecordingPlayer(options, options.playback, events);
   }
 
   private connectVoice(port: MessagePort): void {
@@ -164,11 +184,17 @@ export class RoomStream {
     this.sets.clear();
   }
 
-  private push(header: FrameHeader, payload: Uint8Array): void {
+  private rewindSensors(): void {
+    this.sensors.forEach((stream) => stream.rewind());
+    this.sets.clear();
+    this.mailbox.clear();
+  }
+
+  private push(header: FrameHeader, payload: Uint8Array, isHidden = false): void {
     const stream = this.sensors.get(header.sensor);
     if (!stream) return; // the sensor has left the roster
-    this.sets.arrive(header.setId, header.last);
-    stream.push(header, payload);
+    if (!isHidden) this.sets.arrive(header.setId, header.last);
+    stream.push(header, payload, isHidden);
   }
 
   /** The bytes as little-endian u16, which is the memory layout on every machine that runs a browser. */
@@ -195,8 +221,8 @@ export class RoomStream {
     if (frame.rgba) this.buffers.giveBack(frame.rgba.buffer);
   }
 
-  private reportStatus(): void {
-    const estimate = this.hub!.clock.estimate();
+  private reportStatus(hub: RoomSource): void {
+    const estimate = hub.clock.estimate();
     const clock = estimate && {
       roomFromPage_ms: estimate.offset_ms - performance.timeOrigin,
       error_ms: estimate.error_ms,
@@ -206,7 +232,7 @@ export class RoomStream {
     const colorProblem = this.color ? '' : noColor;
     const { decoded } = this;
     this.decoded = [];
-    const { received_bytes } = this.hub!;
+    const { received_bytes } = hub;
     this.post({ kind: 'status', status: { clock, received_bytes, sensors, decoded, colorProblem } });
   }
 }

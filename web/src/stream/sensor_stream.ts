@@ -13,7 +13,7 @@ import type { SensorTraffic, ViewFrame } from './protocol';
 export interface SensorStreamEvents {
   /** `depth_mm` is valid during the call. */
   decoded(header: FrameHeader, depth_mm: Uint16Array): void;
-  /** Called exactly once per `push`; undefined when the frame cannot be shown at all. */
+  /** Called exactly once per `push` that is not hidden; undefined when the frame cannot be shown at all. */
   settled(setId: bigint, frame: ViewFrame | undefined): void;
   keyFrameNeeded(sensor: number): void;
 }
@@ -65,18 +65,21 @@ export class SensorStream {
     };
   }
 
-  push(header: FrameHeader, payload: Uint8Array): void {
-    this.countMissed(header.seq);
+  /** A hidden frame is decoded only because later ones need it. */
+  push(header: FrameHeader, payload: Uint8Array, isHidden = false): void {
+    if (isHidden) this.newestSeq = header.seq;
+    else this.countMissed(header.seq);
     this.traffic.bytes += header.headerLength + payload.length;
-    if (!this.chain.mayDecode(header)) return this.skip(header);
+    if (!this.chain.mayDecode(header)) return isHidden ? undefined : this.skip(header);
     let decoded: DecodedPayload;
     try {
       decoded = this.decode(header, payload);
     } catch (error) {
       if (!(error instanceof PayloadError)) throw error;
-      return this.giveUp(header, error.message);
+      return this.giveUp(header, error.message, isHidden);
     }
     this.chain.advance(header);
+    if (isHidden) return this.decodeHiddenColor(decoded);
     this.count(header);
     this.events.decoded(header, decoded.depth_mm);
     this.settleOrDecodeColor(this.frameOf(header, decoded), decoded);
@@ -85,6 +88,13 @@ export class SensorStream {
   /** The connection was lost: the next one begins with a key frame. Pending frames are settled. */
   restart(): void {
     this.closeColor();
+    this.chain.lose();
+    this.newestSeq = undefined;
+  }
+
+  /** Another moment of a recording follows, which begins with a key frame. The colour decoder stays: a new one takes long. */
+  rewind(): void {
+    this.dropAwaited(false);
     this.chain.lose();
     this.newestSeq = undefined;
   }
@@ -106,10 +116,10 @@ export class SensorStream {
     this.events.settled(header.setId, undefined);
   }
 
-  private giveUp(header: FrameHeader, reason: string): void {
+  private giveUp(header: FrameHeader, reason: string, isHidden: boolean): void {
     this.traffic.problem = `A frame could not be decoded: ${reason}`;
     this.chain.lose();
-    this.skip(header);
+    if (!isHidden) this.skip(header);
   }
 
   /** A sensor that reconnects counts from 0 again. */
@@ -152,6 +162,12 @@ export class SensorStream {
     this.colors.decode(chunk, color.key, color.vp9);
   }
 
+  /** Nobody waits for the picture. */
+  private decodeHiddenColor({ color }: DecodedPayload): void {
+    if (color?.key && !this.colors) this.openColor();
+    if (color && this.colors) this.colors.decode(this.chunks++, color.key, color.vp9);
+  }
+
   private openColor(): void {
     if (!this.parts.color) return;
     this.colors = new ColorDecoder(this.parts.color, {
@@ -177,13 +193,18 @@ export class SensorStream {
     this.events.keyFrameNeeded(this.sensor);
   }
 
-  /** Frames that wait for colour are shown without it. */
   private closeColor(): void {
     this.colors?.close();
     this.colors = undefined;
+    this.dropAwaited(true);
+  }
+
+  /** Frames that wait for colour are shown without it, or not at all. */
+  private dropAwaited(areShown: boolean): void {
     for (const { frame, seen } of this.awaitsColor.values()) {
       this.parts.buffers.giveBack(seen.buffer);
-      this.events.settled(frame.setId, frame);
+      if (!areShown) this.parts.buffers.giveBack(frame.depth_mm.buffer);
+      this.events.settled(frame.setId, areShown ? frame : undefined);
     }
     this.awaitsColor.clear();
   }
