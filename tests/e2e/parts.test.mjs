@@ -220,6 +220,7 @@ describe('the recording', () => {
       const { RecordingView } = await import('/console/recording_view');
       const nothing = { state: 'off', seconds: 0, frames: 0, bytes: 0 };
       let refuses = true;
+      let changes = 0;
       const view = new RecordingView(
         {
           recording: async () => nothing,
@@ -229,6 +230,7 @@ describe('the recording', () => {
           },
         },
         () => 'room',
+        () => changes++,
       );
       const [button, words] = [view.root.querySelector('button'), view.root.querySelector('[role=status]')];
       const settled = () => new Promise((resolve) => setTimeout(resolve, 0));
@@ -241,12 +243,13 @@ describe('the recording', () => {
       refuses = false;
       button.click();
       await settled();
-      return { atOnce, later, isEnabled: !button.disabled, then: words.textContent };
+      return { atOnce, later, isEnabled: !button.disabled, then: words.textContent, changes };
     });
     assert.match(said.atOnce, /no folder to keep recordings in/);
     assert.equal(said.later, said.atOnce);
     assert.ok(said.isEnabled);
     assert.equal(said.then, 'The hub is recording this room.');
+    assert.equal(said.changes, 1, 'the list of recordings is asked for anew when one begins');
     await page.close();
   });
 });
