@@ -137,6 +137,8 @@ inline const std::vector<Layer> kLayers = {
      "simulator"},
     {"recording/recorder",
      "client client/room core net recording/room wire"},
+    {"recording/live_sets",
+     "client/room codec core recording/frame_sets recording/recorder"},
     {"simulator/random",
      ""},
     {"simulator/scene",
@@ -252,8 +254,8 @@ inline const std::vector<Layer> kLayers = {
      "client client/room codec core geometry recording/recorder sensor/sender",
      "hub/server"},
     {"python",
-     "client client/room codec core geometry io recording/align recording/export recording/frame_sets "
-     "recording/measure recording/recorder sensor/sender"},
+     "client client/room core geometry io recording/align recording/export recording/frame_sets "
+     "recording/live_sets recording/measure sensor/sender"},
     {"cli",
      "* bench"},
     {"web/wasm",

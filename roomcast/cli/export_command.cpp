@@ -33,6 +33,7 @@ struct ExportOptions {
   std::uint64_t every = 1;
   std::vector<float> crop;
   recording::MergedCloudOptions cloud;
+  std::string up;  // empty: z in a Foxglove file
   std::vector<std::string> mesh_files = {"glb"};
   FilmCommandOptions film;
   bool json = false;
@@ -44,6 +45,7 @@ nanoseconds seconds(double value) {
 
 // They have writers of their own, unlike the other formats.
 constexpr const char *kFilm = "video", *kMesh = "mesh";
+constexpr std::string_view kFoxglove = "foxglove";
 
 recording::ExportFormat format_of(const std::string& name) {
   return *std::ranges::find(recording::kExportFormats, name,
@@ -83,8 +85,9 @@ Result<std::unique_ptr<recording::SetWriter>> make_writer(const ExportOptions& o
                                                           const std::stop_token& stop) {
   if (options.format == kFilm) return make_film_writer(options, reader);
   if (options.format == kMesh) return make_mesh_writer(options, reader, line, stop);
-  return recording::make_set_writer(format_of(options.format), options.out,
-                                    {reader.sensors(), reader.began_at()}, options.cloud);
+  return recording::make_set_writer(
+      format_of(options.format), options.out, {reader.sensors(), reader.began_at()}, options.cloud,
+      options.up == "y" ? recording::UpAxis::kY : recording::UpAxis::kZ);
 }
 
 /// What an interrupted export leaves behind, and how to go on.
@@ -147,6 +150,8 @@ void report(const ExportOptions& options, const recording::ExportTotals& totals)
 
 Status run_export(ExportOptions options) {
   StopOnSignal stop;
+  if (!options.up.empty() && options.format != kFoxglove)
+    return invalid_argument("--up is an option of --format foxglove; in the others y is up");
   if (!options.crop.empty()) {
     const auto& c = options.crop;
     const Eigen::Vector3f a(c[0], c[1], c[2]), b(c[3], c[4], c[5]);
@@ -214,6 +219,10 @@ void add_export_command(CLI::App& app, Command& chosen) {
       ->capture_default_str();
   command->add_flag("--keep-doubles", options->cloud.keep_doubles,
                     "Point clouds: keep duplicate points of surfaces that several sensors see");
+  command
+      ->add_option("--up", options->up,
+                   "Foxglove: the axis of `world` that points up, z (default) or y")
+      ->check(CLI::IsMember({"y", "z"}));
   add_film_options(*command, options->film);
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
@@ -222,7 +231,7 @@ void add_export_command(CLI::App& app, Command& chosen) {
       "gltf: set_NNNNNN.glb, a textured mesh for each sensor. rig: a folder for each sensor.\n"
       "tum: the same with each sensor's poses in groundtruth.txt; depth in millimetres.\n"
       "mesh: room.glb, or .ply and .obj, of all that stands still: all sensors and frames fused.\n"
-      "foxglove: room.mcap with point clouds, VP9 video, calibrations and transforms.\n"
+      "foxglove: room.mcap with point clouds, depth, VP9 video, calibrations and transforms.\n"
       "video: film.mp4 by ffmpeg, or pictures where that is not installed; --path FILE is\n"
       "{\"keys\": [{\"time_s\": 0, \"at\": [x,y,z], \"look\": [x,y,z]}, ...]}.\n"
       "After an interruption the same command continues ply, pcd and gltf and keeps complete "

@@ -38,6 +38,7 @@ struct Frame {
 
 struct Cloud {
   std::shared_ptr<const recording::PointCloud> points;
+  nanoseconds captured{};  // since 1970-01-01 UTC; 0: unknown
   Status may_export;
 };
 
@@ -92,20 +93,22 @@ recording::MergedCloudOptions cloud_options(float voxel_m, const Crop& crop, boo
 Cloud points_of_frame(const Frame& frame, float voxel_m, const Crop& crop) {
   const auto options = cloud_options(voxel_m, crop, false);
   const WithoutGil without;
-  return {value_of(cloud_of(*frame.set, frame.index, options)), frame.set->may_export};
+  return {value_of(cloud_of(*frame.set, frame.index, options)),
+          frame.set->dated ? frame.get().time : nanoseconds(0), frame.set->may_export};
 }
 
 Cloud points_of_set(const SharedSet& set, float voxel_m, const Crop& crop, bool keep_doubles) {
   const auto options = cloud_options(voxel_m, crop, keep_doubles);
   const WithoutGil without;
-  return {value_of(cloud_of(*set, options)), set->may_export};
+  return {value_of(cloud_of(*set, options)), set->dated ? set->set.time : nanoseconds(0),
+          set->may_export};
 }
 
 void write_ply(const Cloud& cloud, const std::filesystem::path& path) {
   check(cloud.may_export);
   const WithoutGil without;
   std::vector<std::uint8_t> bytes;
-  recording::append_ply(*cloud.points, bytes);
+  recording::append_ply(*cloud.points, cloud.captured, bytes);
   check(io::write_file(path, bytes));
 }
 

@@ -65,6 +65,7 @@ class SetIterator {
     const nanoseconds began_at = reader_->began_at();
     set->set.time += began_at;
     for (recording::SetFrame& frame : set->set.frames) frame.time += began_at;
+    set->dated = began_at.count() > 0;
     set->sensors = sensors_;
     set->sensors_sending = sensors_->list.size();
     set->may_export = may_export_;

@@ -89,7 +89,7 @@ class WatchedRoom {
   }
 
   std::shared_ptr<client::Subscriber> subscriber_;
-  LiveSets sets_;
+  LiveRoomSets sets_;
   SetId newest_set_{};
   std::uint64_t revision_ = 0;
 };
@@ -145,7 +145,8 @@ void add_rooms(py::module_& module) {
       .def_property_readonly(
           "name", [](const WatchedRoom& room) { return room.snapshot()->room; }, "Of the room.")
       .def_property_readonly(
-          "sensors", [](const WatchedRoom& room) { return sensors_of(*room.snapshot()); },
+          "sensors",
+          [](const WatchedRoom& room) { return recording::sensors_of(*room.snapshot()); },
           "The sensors that the room knows, as SensorInfo; not all of them need be sending.")
       .def_property_readonly("problem", &problem_of,
                              "Why there is no connection at the moment; None while there is one.")

@@ -28,6 +28,7 @@ struct RoomSensors {
 struct RoomSet {
   std::shared_ptr<const RoomSensors> sensors;
   recording::FrameSet set;
+  bool dated = false;               // its times are since 1970-01-01 UTC
   std::size_t sensors_sending = 0;  // those that a complete set has
   Status may_export;                // or the reason why not
 

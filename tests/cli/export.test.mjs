@@ -133,30 +133,93 @@ test('mesh_is_the_same_surface_in_every_file', async (t) => {
   assert.ok(far <= 0.03 * compared, `${far} of ${compared} points are elsewhere`);
 });
 
+/** All messages of an exported room.mcap, decoded by the schemas in the file: `{ topic, schema, type, content, logTime }`. */
+async function readFoxglove(file) {
+  const { reader, messages } = await readIndexed(file);
+  return messages.map(({ topic, channelId, data, logTime }) => {
+    const schema = reader.schemasById.get(reader.channelsById.get(channelId).schemaId);
+    const type = createFileRegistry(fromBinary(FileDescriptorSetSchema, schema.data)).getMessage(schema.name);
+    return { topic, schema: schema.name, type, content: fromBinary(type, data), logTime };
+  });
+}
+
+/** Number and type of each field, by its name, as the published schema has them. */
+function publishedFields(schemaName) {
+  const schema = foxgloveMessageSchemas[schemaName.replace('foxglove.', '')];
+  assert.ok(schema, `${schemaName} is no Foxglove schema`);
+  const numbersOfTheirOwn = new Set(schema.fields.map(({ protobufFieldNumber }) => protobufFieldNumber));
+  let next = 1;
+  return new Map(
+    schema.fields.map(({ name, protobufFieldNumber, type }) => {
+      while (!protobufFieldNumber && numbersOfTheirOwn.has(next)) ++next;
+      return [name, { number: protobufFieldNumber ?? next++, type: type.type === 'primitive' ? type.name : type.type }];
+    }),
+  );
+}
+
+const { ScalarType } = require('@bufbuild/protobuf');
+const scalars = { uint32: ScalarType.FIXED32, float64: ScalarType.DOUBLE, string: ScalarType.STRING, bytes: ScalarType.BYTES };
+
 test('foxglove_messages_have_the_published_schemas', async (t) => {
-  const { out } = await exportRig(t, 'foxglove', '--keep-doubles', '--to', '0.3');
-  const { reader, messages } = await readIndexed(join(out, 'room.mcap'));
-  const kinds = new Set();
-  for (const message of messages) {
-    const schema = reader.schemasById.get(reader.channelsById.get(message.channelId).schemaId);
-    const registry = createFileRegistry(fromBinary(FileDescriptorSetSchema, schema.data));
-    const type = registry.getMessage(schema.name);
-    const known = foxgloveMessageSchemas[schema.name.replace('foxglove.', '')];
-    assert.ok(known, `${schema.name} is no Foxglove schema`);
-    const names = known.fields.map(({ name }) => name);
-    for (const { name } of type.fields) assert.ok(names.includes(name), `${schema.name} has no field ${name}`);
-    kinds.add(schema.name);
-    const content = fromBinary(type, message.data);
-    if (schema.name === 'foxglove.PointCloud' && message.logTime === messages[0].logTime) {
-      const view = new DataView(content.data.buffer, content.data.byteOffset, content.data.byteLength);
-      const truth = truePoints(0);
-      const positions = truth.flatMap((_, i) => [0, 4, 8].map((offset) => view.getFloat32(16 * i + offset, true)));
-      assert.equal(content.data.length, 16 * truth.length);
-      assertSamePoints(positions, truth);
-      assert.equal(content.frameId, 'world');
+  const { out } = await exportRig(t, 'foxglove', '--to', '0.3');
+  const types = new Map((await readFoxglove(join(out, 'room.mcap'))).map(({ schema, type }) => [schema, type]));
+  const known = ['CameraCalibration', 'FrameTransform', 'PointCloud', 'RawImage'].map((name) => `foxglove.${name}`);
+  assert.deepEqual([...types.keys()].sort(), known);
+  // One file defines them all; these two are not in a recording without colour.
+  for (const name of ['foxglove.CompressedVideo', 'foxglove.CompressedImage']) {
+    types.set(name, types.get('foxglove.PointCloud').file.messages.find(({ typeName }) => typeName === name) ?? assert.fail(name));
+  }
+  for (const [schema, type] of types) {
+    const published = publishedFields(schema);
+    for (const { name, number, scalar } of type.fields) {
+      const expected = published.get(name);
+      assert.ok(expected, `${schema} has no field ${name}`);
+      assert.equal(number, expected.number, `${schema}.${name}`);
+      if (scalars[expected.type]) assert.equal(scalar, scalars[expected.type], `${schema}.${name}`);
     }
   }
-  assert.deepEqual([...kinds].sort(), ['foxglove.CameraCalibration', 'foxglove.FrameTransform', 'foxglove.PointCloud']);
+});
+
+for (const up of ['y', 'z']) {
+  test(`foxglove_points_depth_and_poses_agree_with_${up}_up`, async (t) => {
+    const { out } = await exportRig(t, 'foxglove', '--keep-doubles', '--to', '0.3', ...(up === 'y' ? ['--up', 'y'] : []));
+    const messages = await readFoxglove(join(out, 'room.mcap'));
+    const first = (topic) => messages.find((message) => message.topic === topic).content;
+    const points = first('/points');
+    assert.equal(points.frameId, 'world');
+    const view = new DataView(points.data.buffer, points.data.byteOffset, points.data.byteLength);
+    const positions = Array.from({ length: points.data.length / 16 }, (_, i) => [0, 4, 8].map((at) => view.getFloat32(16 * i + at, true)));
+    const truth = truePoints(0).map(([x, y, z]) => (up === 'y' ? [x, y, z] : [x, -z, y]));
+    assertSamePoints(positions.flat(), truth);
+    // A depth picture, its calibration and its pose give the same points.
+    const [depth, camera] = [first('/s1/depth'), first('/s1/camera')];
+    const pose = messages.find(({ topic, content }) => topic === '/tf' && content.childFrameId === 's1').content;
+    assert.deepEqual([depth.encoding, depth.width, depth.height, depth.step], ['16UC1', 64, 48, 128]);
+    const pixels = new Uint16Array(depth.data.slice().buffer);
+    for (const [x, y] of [[1, 1], [40, 20], [62, 46]]) {
+      const z = pixels[64 * y + x] / 1000;
+      assert.equal(pixels[64 * y + x], 1600 + x + y);
+      const inDepth = [((x - camera.K[2]) / camera.K[0]) * z, ((y - camera.K[5]) / camera.K[4]) * z, z];
+      const rotated = rotate(pose.rotation, inDepth);
+      const place = [pose.translation.x, pose.translation.y, pose.translation.z].map((offset, axis) => rotated[axis] + offset);
+      const expected = positions[62 * 46 + 62 * (y - 1) + x - 1];
+      place.forEach((value, axis) => assert.ok(Math.abs(value - expected[axis]) < 1e-4, `pixel ${x}, ${y}: ${place}, not ${expected}`));
+    }
+  });
+}
+
+/** The quaternion's rotation of a point: p + 2 q x (q x p + w p). */
+function rotate({ x, y, z, w }, p) {
+  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const inner = cross([x, y, z], p).map((value, axis) => value + w * p[axis]);
+  return cross([x, y, z], inner).map((value, axis) => p[axis] + 2 * value);
+}
+
+test('the_axis_that_points_up_is_chosen_for_foxglove_alone', async (t) => {
+  const out = join(scratchFolder(t), 'out');
+  assertFailed(await run('export', rig, '--format', 'ply', '--out', out, '--up', 'z'), 2, /--up is an option of --format foxglove/);
+  assertFailed(await run('export', rig, '--format', 'foxglove', '--out', out, '--up', 'x'), 2, /--help/);
+  assert.ok(!existsSync(out));
 });
 
 test('a_rig_that_was_exported_is_the_same_recording', async (t) => {

@@ -238,6 +238,11 @@ test('exports_keep_the_date_of_a_recording', async (t) => {
   const inFolder = (name) => Number(/^\d+\.\d+/m.exec(readFileSync(join(folder, 'tum/s0', name), 'utf8'))[0]);
   const dates_s = [inFolder('depth.txt'), inFolder('groundtruth.txt'), Number(messages[0].logTime) / 1e9];
   for (const date_s of dates_s) assert.ok(Math.abs(date_s - begin_s) < 3, `${date_s}, not ${begin_s}`);
+  // Each depth picture has the same capture time in both, to the microsecond that TUM lists can hold.
+  const inTum = readFileSync(join(folder, 'tum/s0/depth.txt'), 'utf8').match(/^\d+\.\d+/gm).map(Number);
+  const inFoxglove = messages.filter(({ topic }) => topic === '/s0/depth').map(({ logTime }) => Number(logTime) / 1e9);
+  assert.equal(inFoxglove.length, inTum.length);
+  inTum.forEach((date_s, i) => assert.ok(Math.abs(date_s - inFoxglove[i]) < 2e-6, `${date_s}, not ${inFoxglove[i]}`));
   const again = await run('info', join(folder, 'tum'), '--json');
   assert.equal(again.code, 0, again.stderr);
 });

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "roomcast/core/utc_text.h"
 #include "roomcast/recording/export/glb_document.h"
 #include "roomcast/recording/export/little_endian_bytes.h"
 
@@ -106,8 +107,11 @@ GltfScene::GltfScene(const std::vector<SetSensor>& sensors) : sensors_(sensors) 
   for (const SetSensor& sensor : sensors) points_.emplace_back(sensor.depth);
 }
 
-Status GltfScene::append(const FrameSet& set, std::vector<std::uint8_t>& out) {
+Status GltfScene::append(const FrameSet& set, nanoseconds captured,
+                         std::vector<std::uint8_t>& out) {
   GlbDocument document;
+  if (captured.count() > 0)
+    document.root["scenes"][0]["extras"] = {{"captured", utc_text(captured)}};
   for (const SetFrame& frame : set.frames) {
     if (!frame.world_from_depth && set.frames.size() > 1) continue;
     DepthPoints& points = points_[frame.sensor];

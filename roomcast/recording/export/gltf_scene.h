@@ -21,8 +21,10 @@ class GltfScene {
   explicit GltfScene(const std::vector<SetSensor>& sensors);
 
   /// Appends the file to `out`. Unplaced sensors are left out, unless there is only one sensor.
+  /// `captured`: since 1970-01-01 UTC, kept as "captured" in the scene's `extras`; 0: unknown.
   /// kMalformed if a texture cannot be encoded.
-  [[nodiscard]] Status append(const FrameSet& set, std::vector<std::uint8_t>& out);
+  [[nodiscard]] Status append(const FrameSet& set, nanoseconds captured,
+                              std::vector<std::uint8_t>& out);
 
  private:
   std::vector<SetSensor> sensors_;

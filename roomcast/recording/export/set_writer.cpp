@@ -24,8 +24,8 @@ std::string numbered(std::uint64_t set, const char* ending) {
 /// Base of the formats with one file per set.
 class SetFiles : public SetWriter {
  public:
-  SetFiles(std::filesystem::path folder, const char* ending)
-      : folder_(std::move(folder)), ending_(ending) {}
+  SetFiles(std::filesystem::path folder, const char* ending, nanoseconds began_at)
+      : folder_(std::move(folder)), ending_(ending), began_at_(began_at) {}
 
   Status add(const FrameSet& set) final {
     const std::filesystem::path path = folder_ / numbered(set.number, ending_);
@@ -35,7 +35,8 @@ class SetFiles : public SetWriter {
       return {};
     }
     bytes_.clear();
-    if (auto status = append(set, bytes_); !status) return status;
+    const nanoseconds captured = began_at_.count() > 0 ? began_at_ + set.time : nanoseconds(0);
+    if (auto status = append(set, captured, bytes_); !status) return status;
     ++totals_.sets;
     return io::write_file(path, bytes_);
   }
@@ -43,30 +44,34 @@ class SetFiles : public SetWriter {
   ExportTotals totals() const final { return totals_; }
 
  protected:
-  virtual Status append(const FrameSet& set, std::vector<std::uint8_t>& out) = 0;
+  /// `captured`: since 1970-01-01 UTC; 0: unknown.
+  virtual Status append(const FrameSet& set, nanoseconds captured,
+                        std::vector<std::uint8_t>& out) = 0;
   ExportTotals totals_;
 
  private:
   const std::filesystem::path folder_;
   const char* const ending_;
+  const nanoseconds began_at_;
   std::vector<std::uint8_t> bytes_;
 };
 
-using AppendCloud = void (*)(const PointCloud&, std::vector<std::uint8_t>&);
+using AppendCloud = void (*)(const PointCloud&, nanoseconds, std::vector<std::uint8_t>&);
 
 class CloudFiles final : public SetFiles {
  public:
-  CloudFiles(std::filesystem::path folder, const char* ending, AppendCloud append_cloud,
-             MergedCloud merged)
-      : SetFiles(std::move(folder), ending),
+  CloudFiles(std::filesystem::path folder, const char* ending, nanoseconds began_at,
+             AppendCloud append_cloud, MergedCloud merged)
+      : SetFiles(std::move(folder), ending, began_at),
         append_cloud_(append_cloud),
         merged_(std::move(merged)) {}
 
  private:
-  Status append(const FrameSet& set, std::vector<std::uint8_t>& out) override {
+  Status append(const FrameSet& set, nanoseconds captured,
+                std::vector<std::uint8_t>& out) override {
     merged_.merge(set, cloud_);
     totals_.points += cloud_.size();
-    append_cloud_(cloud_, out);
+    append_cloud_(cloud_, captured, out);
     return {};
   }
   const AppendCloud append_cloud_;
@@ -76,12 +81,13 @@ class CloudFiles final : public SetFiles {
 
 class GltfFiles final : public SetFiles {
  public:
-  GltfFiles(std::filesystem::path folder, const std::vector<SetSensor>& sensors)
-      : SetFiles(std::move(folder), "glb"), scene_(sensors) {}
+  GltfFiles(std::filesystem::path folder, const ExportedRoom& room)
+      : SetFiles(std::move(folder), "glb", room.began_at), scene_(room.sensors) {}
 
  private:
-  Status append(const FrameSet& set, std::vector<std::uint8_t>& out) override {
-    return scene_.append(set, out);
+  Status append(const FrameSet& set, nanoseconds captured,
+                std::vector<std::uint8_t>& out) override {
+    return scene_.append(set, captured, out);
   }
   GltfScene scene_;
 };
@@ -109,8 +115,8 @@ class FoxgloveFile final : public SetWriter {
 
 Result<std::unique_ptr<SetWriter>> make_foxglove_file(const std::filesystem::path& out,
                                                       const ExportedRoom& room,
-                                                      const MergedCloudOptions& cloud) {
-  auto writer = FoxgloveWriter::create(out / "room.mcap", room.sensors, room.began_at);
+                                                      const MergedCloudOptions& cloud, UpAxis up) {
+  auto writer = FoxgloveWriter::create(out / "room.mcap", room.sensors, room.began_at, up);
   if (!writer) return writer.error();
   return std::unique_ptr<SetWriter>(
       std::make_unique<FoxgloveFile>(std::move(*writer), MergedCloud(room.sensors, cloud)));
@@ -147,20 +153,20 @@ std::string_view name_of(ExportFormat format) {
 Result<std::unique_ptr<SetWriter>> make_set_writer(ExportFormat format,
                                                    const std::filesystem::path& out,
                                                    const ExportedRoom& room,
-                                                   const MergedCloudOptions& cloud) {
+                                                   const MergedCloudOptions& cloud, UpAxis up) {
   if (auto status = cloud.check(); !status) return status.error();
   if (auto status = make_export_folder(out); !status) return status.error();
   switch (format) {
     case ExportFormat::kPly:
-      return std::unique_ptr<SetWriter>(
-          std::make_unique<CloudFiles>(out, "ply", append_ply, MergedCloud(room.sensors, cloud)));
+      return std::unique_ptr<SetWriter>(std::make_unique<CloudFiles>(
+          out, "ply", room.began_at, append_ply, MergedCloud(room.sensors, cloud)));
     case ExportFormat::kPcd:
-      return std::unique_ptr<SetWriter>(
-          std::make_unique<CloudFiles>(out, "pcd", append_pcd, MergedCloud(room.sensors, cloud)));
+      return std::unique_ptr<SetWriter>(std::make_unique<CloudFiles>(
+          out, "pcd", room.began_at, append_pcd, MergedCloud(room.sensors, cloud)));
     case ExportFormat::kGltf:
-      return std::unique_ptr<SetWriter>(std::make_unique<GltfFiles>(out, room.sensors));
+      return std::unique_ptr<SetWriter>(std::make_unique<GltfFiles>(out, room));
     case ExportFormat::kFoxglove:
-      return make_foxglove_file(out, room, cloud);
+      return make_foxglove_file(out, room, cloud, up);
     case ExportFormat::kRig:
     case ExportFormat::kTum:
       break;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "roomcast/core/result.h"
+#include "roomcast/recording/export/foxglove_messages.h"
 #include "roomcast/recording/export/merged_cloud.h"
 #include "roomcast/recording/frame_sets/frame_set_reader.h"
 
@@ -51,17 +52,19 @@ class SetWriter {
 /// The room to be exported, as FrameSetReader describes it.
 struct ExportedRoom {
   std::vector<SetSensor> sensors;
-  nanoseconds began_at{};  // as FrameSetReader::began_at. Formats with times give them as UTC then
+  nanoseconds began_at{};  // as FrameSetReader::began_at; times in files are UTC then
 };
 
 /// Makes a folder for output, and those above it. kUnavailable if that is not possible.
 [[nodiscard]] Status make_export_folder(const std::filesystem::path& folder);
 
+/// `up` is that of `world` in a Foxglove file; in the other formats y is up.
 /// Creates the folder `out`. kInvalidArgument as MergedCloudOptions::check; kUnavailable if it
 /// cannot be written, or is not empty although the format needs a new folder.
 [[nodiscard]] Result<std::unique_ptr<SetWriter>> make_set_writer(ExportFormat format,
                                                                  const std::filesystem::path& out,
                                                                  const ExportedRoom& room,
-                                                                 const MergedCloudOptions& cloud);
+                                                                 const MergedCloudOptions& cloud,
+                                                                 UpAxis up = UpAxis::kY);
 
 }  // namespace roomcast::recording

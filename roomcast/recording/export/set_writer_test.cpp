@@ -86,6 +86,20 @@ TEST_F(SetWriterTest, a_folder_keeps_the_date_of_its_frames) {
   EXPECT_EQ(seconds, tum_seconds(kBeganAt));
 }
 
+TEST_F(SetWriterTest, clouds_and_meshes_tell_when_they_were_captured) {
+  for (const ExportFormat format : {ExportFormat::kPly, ExportFormat::kPcd, ExportFormat::kGltf}) {
+    auto writer = make(format);
+    FrameSet set = wall_set();
+    set.time = std::chrono::milliseconds(1500);
+    ASSERT_TRUE((*writer)->add(set).ok());
+  }
+  for (const char* file : {"set_000000.ply", "set_000000.pcd", "set_000000.glb"}) {
+    std::ifstream in(out / file, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    EXPECT_NE(bytes.find("2025-11-24T16:00:01.500000123Z"), std::string::npos) << file;
+  }
+}
+
 TEST_F(SetWriterTest, a_foxglove_file_keeps_the_date_of_its_frames) {
   auto writer = make(ExportFormat::kFoxglove);
   ASSERT_TRUE((*writer)->add(wall_set()).ok());
@@ -108,8 +122,9 @@ TEST_F(SetWriterTest, a_foxglove_file_has_the_channels_that_programs_look_for) {
   EXPECT_EQ(schema_of.at("/points"), "foxglove.PointCloud");
   EXPECT_EQ(schema_of.at("/tf"), "foxglove.FrameTransform");
   EXPECT_EQ(schema_of.at("/near/color"), "foxglove.CompressedVideo");
+  EXPECT_EQ(schema_of.at("/far/depth"), "foxglove.RawImage");
   EXPECT_EQ(schema_of.at("/far/camera"), "foxglove.CameraCalibration");
-  EXPECT_EQ(file->summary().statistics.message_count, 7u);
+  EXPECT_EQ(file->summary().statistics.message_count, 9u);
 }
 
 TEST(CloudFiles, ply_and_pcd_are_as_long_as_their_headers_say) {
@@ -117,8 +132,8 @@ TEST(CloudFiles, ply_and_pcd_are_as_long_as_their_headers_say) {
   cloud.add({1, 2, 3}, {0, 0, 1}, {10, 20, 30});
   cloud.add({4, 5, 6}, {0, 1, 0}, {40, 50, 60});
   std::vector<std::uint8_t> ply, pcd;
-  append_ply(cloud, ply);
-  append_pcd(cloud, pcd);
+  append_ply(cloud, {}, ply);
+  append_pcd(cloud, {}, pcd);
   const auto header_end = [](const std::vector<std::uint8_t>& bytes, std::string_view last) {
     const std::string text(bytes.begin(), bytes.end());
     return text.find(last) + last.size();
@@ -130,7 +145,7 @@ TEST(CloudFiles, ply_and_pcd_are_as_long_as_their_headers_say) {
 TEST(GltfScene, an_empty_set_is_a_file_without_meshes) {
   GltfScene scene(wall_sensors());
   std::vector<std::uint8_t> glb;
-  ASSERT_TRUE(scene.append({}, glb).ok());
+  ASSERT_TRUE(scene.append({}, {}, glb).ok());
   EXPECT_EQ(std::string(glb.begin(), glb.begin() + 4), "glTF");
   EXPECT_EQ(glb.size() % 4, 0u);
 }

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dates for people and files: ISO 8601, UTC. Thread-safe (no state).
+#pragma once
+
+#include <string>
+
+#include "roomcast/core/clock.h"
+
+namespace roomcast {
+
+/// "2026-11-26T12:00:00.123456789Z". `unix_time`: since 1970-01-01 UTC, not negative.
+[[nodiscard]] std::string utc_text(nanoseconds unix_time);
+
+}  // namespace roomcast
