@@ -256,6 +256,8 @@ inline const std::vector<Layer> kLayers = {
     {"python",
      "client client/room core geometry io recording/align recording/export recording/frame_sets "
      "recording/live_sets recording/measure sensor/sender"},
+    {"foxglove",
+     "client core io net recording/export recording/frame_sets recording/live_sets"},
     {"cli",
      "* bench"},
     {"web/wasm",

@@ -165,8 +165,8 @@ test('foxglove_messages_have_the_published_schemas', async (t) => {
   const types = new Map((await readFoxglove(join(out, 'room.mcap'))).map(({ schema, type }) => [schema, type]));
   const known = ['CameraCalibration', 'FrameTransform', 'PointCloud', 'RawImage'].map((name) => `foxglove.${name}`);
   assert.deepEqual([...types.keys()].sort(), known);
-  // One file defines them all; these two are not in a recording without colour.
-  for (const name of ['foxglove.CompressedVideo', 'foxglove.CompressedImage']) {
+  // One file defines them all; these are not in a recording without colour.
+  for (const name of ['foxglove.CompressedVideo', 'foxglove.CompressedImage', 'foxglove.FrameTransforms']) {
     types.set(name, types.get('foxglove.PointCloud').file.messages.find(({ typeName }) => typeName === name) ?? assert.fail(name));
   }
   for (const [schema, type] of types) {

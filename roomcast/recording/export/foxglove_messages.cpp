@@ -51,6 +51,8 @@ const google::protobuf::Descriptor& descriptor_of(FoxgloveKind kind) {
       return *foxglove::PointCloud::descriptor();
     case FoxgloveKind::kTransform:
       return *foxglove::FrameTransform::descriptor();
+    case FoxgloveKind::kTransforms:
+      return *foxglove::FrameTransforms::descriptor();
     case FoxgloveKind::kVideo:
       return *foxglove::CompressedVideo::descriptor();
     case FoxgloveKind::kImage:
@@ -89,6 +91,16 @@ Message stamped(const std::string& frame, nanoseconds time) {
   return message;
 }
 
+void write_transform(const std::string& sensor, const RigidTransform& world_from_depth, UpAxis up,
+                     nanoseconds time, foxglove::FrameTransform& message) {
+  const RigidTransform upright_from_depth = upright_from_world(up) * world_from_depth;
+  write_time(time, *message.mutable_timestamp());
+  message.set_parent_frame_id(kWorld);
+  message.set_child_frame_id(sensor);
+  write_vector(upright_from_depth.translation_m, *message.mutable_translation());
+  write_rotation(upright_from_depth.rotation, *message.mutable_rotation());
+}
+
 }  // namespace
 
 RigidTransform upright_from_world(UpAxis up) {
@@ -125,13 +137,15 @@ std::string points_message(const PointCloud& cloud, UpAxis up, nanoseconds time)
 
 std::string transform_message(const std::string& sensor, const RigidTransform& world_from_depth,
                               UpAxis up, nanoseconds time) {
-  const RigidTransform upright_from_depth = upright_from_world(up) * world_from_depth;
   foxglove::FrameTransform message;
-  write_time(time, *message.mutable_timestamp());
-  message.set_parent_frame_id(kWorld);
-  message.set_child_frame_id(sensor);
-  write_vector(upright_from_depth.translation_m, *message.mutable_translation());
-  write_rotation(upright_from_depth.rotation, *message.mutable_rotation());
+  write_transform(sensor, world_from_depth, up, time, message);
+  return message.SerializeAsString();
+}
+
+std::string transforms_message(std::span<const NamedPose> poses, UpAxis up, nanoseconds time) {
+  foxglove::FrameTransforms message;
+  for (const NamedPose& pose : poses)
+    write_transform(pose.sensor, pose.world_from_depth, up, time, *message.add_transforms());
   return message.SerializeAsString();
 }
 

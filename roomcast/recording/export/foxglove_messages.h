@@ -3,7 +3,8 @@
 // and clouds. Names, types and numbers of the fields are those of the published schemas
 // (https://docs.foxglove.dev/docs/visualization/message-schemas). Frames: `world`, with the chosen
 // axis up, and one optical frame for each sensor, of its name (x right, y down, z forward). Metres;
-// depth pictures in millimetres. Times are nanoseconds since 1970-01-01 UTC. Thread-safe (no state).
+// depth pictures in millimetres. Times are nanoseconds since 1970-01-01 UTC. Thread-safe (no
+// state).
 #pragma once
 
 #include <cstdint>
@@ -26,12 +27,13 @@ enum class UpAxis { kY, kZ };
 [[nodiscard]] RigidTransform upright_from_world(UpAxis up);
 
 enum class FoxgloveKind {
-  kPoints,     // foxglove.PointCloud
-  kTransform,  // foxglove.FrameTransform
-  kVideo,      // foxglove.CompressedVideo
-  kImage,      // foxglove.CompressedImage
-  kDepth,      // foxglove.RawImage
-  kCamera,     // foxglove.CameraCalibration
+  kPoints,      // foxglove.PointCloud
+  kTransform,   // foxglove.FrameTransform
+  kTransforms,  // foxglove.FrameTransforms
+  kVideo,       // foxglove.CompressedVideo
+  kImage,       // foxglove.CompressedImage
+  kDepth,       // foxglove.RawImage
+  kCamera,      // foxglove.CameraCalibration
 };
 
 struct FoxgloveSchema {
@@ -46,6 +48,12 @@ struct FoxgloveSchema {
 [[nodiscard]] std::string transform_message(const std::string& sensor,
                                             const RigidTransform& world_from_depth, UpAxis up,
                                             nanoseconds time);
+struct NamedPose {
+  std::string sensor;
+  RigidTransform world_from_depth;
+};
+[[nodiscard]] std::string transforms_message(std::span<const NamedPose> poses, UpAxis up,
+                                             nanoseconds time);
 /// One picture of a VP9 stream.
 [[nodiscard]] std::string video_message(const std::string& sensor,
                                         std::span<const std::uint8_t> vp9, nanoseconds time);

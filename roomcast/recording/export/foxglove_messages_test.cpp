@@ -30,7 +30,8 @@ Eigen::Vector3f point_of(const foxglove::PointCloud& message, std::size_t i) {
 }
 
 TEST(FoxgloveMessages, a_time_is_kept_to_the_nanosecond) {
-  const auto message = parsed<foxglove::CameraCalibration>(camera_message(wall_sensors()[0], kNoon));
+  const auto message =
+      parsed<foxglove::CameraCalibration>(camera_message(wall_sensors()[0], kNoon));
   EXPECT_EQ(message.timestamp().seconds(), 1'764'072'000);
   EXPECT_EQ(message.timestamp().nanos(), 123);
 }
@@ -81,6 +82,14 @@ TEST(FoxgloveMessages, points_and_poses_are_turned_alike) {
     EXPECT_EQ(colors[2], 10);
     EXPECT_EQ(colors[3], 255);
   }
+}
+
+TEST(FoxgloveMessages, the_poses_of_a_set_are_one_message) {
+  const NamedPose poses[] = {{"near", wall_pose(0)}, {"far", wall_pose(1)}};
+  const auto all = parsed<foxglove::FrameTransforms>(transforms_message(poses, UpAxis::kZ, kNoon));
+  ASSERT_EQ(all.transforms_size(), 2);
+  EXPECT_EQ(all.transforms(1).SerializeAsString(),
+            transform_message("far", wall_pose(1), UpAxis::kZ, kNoon));
 }
 
 TEST(FoxgloveMessages, a_schema_contains_the_files_it_needs) {
