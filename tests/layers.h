@@ -72,8 +72,10 @@ inline const std::vector<Layer> kLayers = {
      "source/drivers/openni2 source/drivers/realsense"},
     {"client/room",
      "codec core geometry wire"},
+    {"client/uplink",
+     "core net"},
     {"client",
-     "client/room codec core geometry net wire"},
+     "client/room client/uplink codec core geometry net wire"},
     {"recording",
      ""},
     {"recording/dataset",
@@ -195,7 +197,7 @@ inline const std::vector<Layer> kLayers = {
      "alignment/rig alignment/view client client/room codec core geometry io wire",
      "alignment/feature alignment/motion hub/server recording/dataset sensor"},
     {"sensor/sender",
-     "client codec core geometry"},
+     "client client/uplink codec core geometry"},
     {"sensor",
      "alignment/board alignment/bundle alignment/motion alignment/person "
      "alignment/service client codec/live core geometry io recording/import "

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <ostream>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,12 +13,14 @@ namespace roomcast::bench {
 
 Result<LineReport> run_line_bench(const LineBenchOptions& options,
                                   const std::function<void(const std::string&)>& progress) {
+  using Measure = Status (*)(const LineBenchOptions&,
+                             const std::function<void(const std::string&)>&, LineReport&);
+  constexpr std::pair<std::string_view, Measure> kCases[] = {
+      {"unwatched", measure_unwatched}, {"rate", measure_rate}, {"auto", measure_auto}};
   LineReport report;
-  if (std::ranges::find(options.cases, "unwatched") != options.cases.end()) {
-    if (auto status = measure_unwatched(options, progress, report); !status) return status.error();
-  }
-  if (std::ranges::find(options.cases, "rate") != options.cases.end()) {
-    if (auto status = measure_rate(options, progress, report); !status) return status.error();
+  for (const auto& [name, measure] : kCases) {
+    if (std::ranges::find(options.cases, name) == options.cases.end()) continue;
+    if (auto status = measure(options, progress, report); !status) return status.error();
   }
   return report;
 }

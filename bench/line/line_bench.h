@@ -5,8 +5,10 @@
 //              those while somebody does, and how long the first viewer waits for a whole picture
 //
 //   rate       bytes over seconds and tenths of seconds of sensors with a target rate, and the age
-//   of
-//              their frames, on an emulated link; needs root
+//              of their frames, on an emulated link; needs root
+//
+//   auto       share of an emulated link that sensors use which estimate what it carries, and the
+//              age of their frames, while the link becomes slower and faster; needs root
 //
 // The CPU time is that of this process: sensors, hub, and a viewer that does not decode.
 #pragma once
@@ -28,6 +30,7 @@ struct LineBenchOptions {
   int sensors = 3;
   std::chrono::milliseconds duration{10'000};            // of each measurement
   std::vector<double> target_mbit = {0.5, 1, 2, 5, 10};  // of all sensors together
+  std::vector<double> link_mbit = {8, 2, 8};             // rates of the link, one after the other
   std::chrono::milliseconds rate_warm_up{15'000};        // bundles and first key frames are sent
   int first_viewers = 5;                                 // viewers who come into an unwatched room
 };
@@ -48,6 +51,11 @@ struct LineReport {
 
 /// The case `rate`; adds its figures. kUnsupported: not root, or no TUN devices.
 [[nodiscard]] Status measure_rate(const LineBenchOptions& options,
+                                  const std::function<void(const std::string&)>& progress,
+                                  LineReport& report);
+
+/// The case `auto`; adds its figures. kUnsupported: not root, or no TUN devices.
+[[nodiscard]] Status measure_auto(const LineBenchOptions& options,
                                   const std::function<void(const std::string&)>& progress,
                                   LineReport& report);
 

@@ -47,6 +47,23 @@ TEST(LineBench, a_sensor_keeps_to_its_target_rate) {
       << "a busy machine delivers in bursts";
 }
 
+TEST(LineBench, a_sensor_follows_its_line) {
+  LineReport report;
+  const auto status = measure_auto({.scene = "bare",
+                                    .sensors = 1,
+                                    .duration = 5s,
+                                    .link_mbit = {1.5, 0.5, 1.5},
+                                    .rate_warm_up = 6s},
+                                   {}, report);
+  if (!status && status.error().code == ErrorCode::kUnsupported)
+    GTEST_SKIP() << status.error().message;
+  ASSERT_TRUE(status.ok()) << status.error().message;
+  EXPECT_GT(figure(report, "auto: share of the link", "%"), 20) << "a bare room has little to say";
+  EXPECT_GT(figure(report, "auto, 2. 0.5 Mbit/s: share of the link", "%"), 30);
+  EXPECT_GT(figure(report, "auto, 2. 0.5 Mbit/s: frames of a sensor", "1/s"), 2);
+  EXPECT_LT(figure(report, "auto: age on arrival, p50", "ms"), 1'000) << "on a busy machine";
+}
+
 TEST(LineBench, json_has_the_keys_that_scripts_rely_on) {
   std::ostringstream out;
   print_json({.figures = {{"unwatched: CPU", "cores", 0.25}}}, out);

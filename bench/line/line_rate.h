@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace roomcast::bench {
@@ -23,12 +24,19 @@ class LineRate {
   };
   /// Over all windows of this length that begin and end at a reading.
   [[nodiscard]] Extremes over(std::chrono::milliseconds window) const;
+  /// From the first reading to the end of the first window of at least this rate; nothing: there is
+  /// none.
+  [[nodiscard]] std::optional<Time::duration> time_until(double least_mbit_per_s,
+                                                         std::chrono::milliseconds window) const;
 
  private:
   struct Reading {
     Time time;
     std::uint64_t bytes;
   };
+  /// Calls `use` with the rate of each window and its last reading, until `use` returns false.
+  template <class Use>
+  void each_window(std::chrono::milliseconds window, Use use) const;
   [[nodiscard]] static double mbit_per_s(const Reading& from, const Reading& to);
 
   std::vector<Reading> readings_;

@@ -29,6 +29,17 @@ TEST(LineRate, a_burst_shows_in_the_short_window_only) {
   EXPECT_LT(rate.over(200ms).lowest, 0.8);
 }
 
+TEST(LineRate, knows_when_a_rate_was_reached) {
+  LineRate rate;
+  std::uint64_t bytes = 0;
+  for (int i = 0; i <= 300; ++i) {
+    rate.add(LineRate::Time(i * 10ms), bytes);
+    bytes += i < 100 ? 1'250 : 5'000;
+  }
+  EXPECT_EQ(rate.time_until(3.9, 200ms), 1'200ms);
+  EXPECT_FALSE(rate.time_until(5, 200ms));
+}
+
 TEST(LineRate, without_readings_there_is_no_rate) {
   const LineRate rate;
   EXPECT_EQ(rate.mean(), 0);

@@ -125,6 +125,7 @@ class EmulatedLink::Pump {
     return networks_[static_cast<std::size_t>(end)];
   }
   [[nodiscard]] std::uint64_t carried_bytes() const { return carried_bytes_; }
+  void set_rate(double mbit_per_s) { new_rate_ = mbit_per_s; }
 
  private:
   void carry(const std::stop_token& stop) {
@@ -135,6 +136,8 @@ class EmulatedLink::Pump {
     while (!stop.stop_requested()) {
       set_timer();
       ::poll(waits.data(), waits.size(), kLookForStop_ms);
+      if (const double rate = new_rate_.exchange(0); rate > 0)
+        for (LinkQueue& queue : queues_) queue.set_rate(std::chrono::steady_clock::now(), rate);
       for (std::size_t i = 0; i < queues_.size(); ++i) {
         take_in(networks_[i].tun.get(), queues_[i]);
         let_out(queues_[i], networks_[1 - i].tun.get());
@@ -179,7 +182,8 @@ class EmulatedLink::Pump {
   Descriptor timer_;
   std::vector<std::uint8_t> buffer_ = std::vector<std::uint8_t>(kMaxPacket);
   std::atomic<std::uint64_t> carried_bytes_ = 0;
-  std::jthread thread_;  // last: uses the members above
+  std::atomic<double> new_rate_ = 0;  // 0: as it is
+  std::jthread thread_;               // last: uses the members above
 };
 
 EmulatedLink::EmulatedLink(std::unique_ptr<Pump> pump) : pump_(std::move(pump)) {}
@@ -208,6 +212,10 @@ void EmulatedLink::run(End end, const std::function<void()>& work) const {
 
 const char* EmulatedLink::address(End end) {
   return end == End::kNear ? "10.77.0.1" : "10.77.0.2";
+}
+
+void EmulatedLink::set_rate(double mbit_per_s) {
+  pump_->set_rate(mbit_per_s);
 }
 
 std::uint64_t EmulatedLink::carried_bytes() const {

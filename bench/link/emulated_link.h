@@ -28,6 +28,9 @@ class EmulatedLink {
   /// too.
   void run(End end, const std::function<void()>& work) const;
 
+  /// The link carries so much from now on, each way. Thread-safe.
+  void set_rate(double mbit_per_s);
+
   /// The address of this end, valid at both ends.
   [[nodiscard]] static const char* address(End end);
 

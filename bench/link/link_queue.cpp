@@ -19,6 +19,19 @@ void LinkQueue::push(Time now, std::span<const std::uint8_t> packet) {
   carried_bytes_ += packet.size();
 }
 
+void LinkQueue::set_rate(Time now, double mbit_per_s) {
+  const double slower = spec_.mbit_per_s / mbit_per_s;
+  const auto delayed = [&](Time leaves) {
+    if (leaves <= now) return leaves;
+    const std::chrono::duration<double> rest = leaves - now;
+    return now + std::chrono::duration_cast<Time::duration>(slower * rest);
+  };
+  const Time::duration way = spec_.round_trip / 2;
+  for (Travelling& packet : travelling_) packet.arrival = delayed(packet.arrival - way) + way;
+  free_at_ = delayed(free_at_);
+  spec_.mbit_per_s = mbit_per_s;
+}
+
 std::optional<LinkQueue::Packet> LinkQueue::pop(Time now) {
   if (travelling_.empty() || travelling_.front().arrival > now) return std::nullopt;
   Packet packet = std::move(travelling_.front().packet);

@@ -37,6 +37,9 @@ class LinkQueue {
   /// The time at which pop() will next return a packet, if no packet is added.
   [[nodiscard]] std::optional<Time> next_arrival() const;
 
+  /// The line carries so much from now on; what waits in the queue leaves at the new rate.
+  void set_rate(Time now, double mbit_per_s);
+
   [[nodiscard]] std::uint64_t carried_bytes() const { return carried_bytes_; }
 
  private:
@@ -44,7 +47,7 @@ class LinkQueue {
     Time arrival;
     Packet packet;
   };
-  const LinkSpec spec_;
+  LinkSpec spec_;
   std::minstd_rand random_;
   Time free_at_{};  // when the last queued packet will have left
   std::deque<Travelling> travelling_;

@@ -37,6 +37,20 @@ TEST(LinkQueue, a_packet_that_would_wait_too_long_is_dropped) {
   EXPECT_EQ(link.carried_bytes(), 6 * kPacket.size()) << "one on the wire and five in the queue";
 }
 
+TEST(LinkQueue, a_slower_line_delays_what_waits) {
+  LinkQueue link(ten_mbit(), 1);
+  for (int i = 0; i < 3; ++i) link.push(kBegin, kPacket);
+  link.set_rate(kBegin + 1ms, 2.5);
+  EXPECT_TRUE(link.pop(kBegin + 26ms)) << "it had left";
+  EXPECT_EQ(link.next_arrival(), kBegin + 30ms);
+  EXPECT_TRUE(link.pop(kBegin + 30ms));
+  EXPECT_EQ(link.next_arrival(), kBegin + 34ms);
+  link.push(kBegin + 9ms, kPacket);
+  link.set_rate(kBegin + 9ms, 10);
+  EXPECT_TRUE(link.pop(kBegin + 34ms));
+  EXPECT_EQ(link.next_arrival(), kBegin + 35ms);
+}
+
 TEST(LinkQueue, loses_the_requested_share) {
   LinkSpec spec = ten_mbit();
   spec.loss = 0.1;

@@ -26,16 +26,24 @@ void add_line_bench(CLI::App& bench, Command& chosen) {
   auto options = std::make_shared<bench::LineBenchOptions>();
   auto seconds = std::make_shared<double>(10);
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = bench.add_subcommand(
-      "line", "What a room's sensors cost on their line: unwatched, and with a target rate");
-  command->add_option("--case", options->cases, "Cases: unwatched, rate (needs root)")
+  CLI::App* command = bench.add_subcommand("line",
+                                           "What a room's sensors cost on their line: unwatched, "
+                                           "with a target rate, and on a line that changes");
+  command
+      ->add_option("--case", options->cases,
+                   "Cases: unwatched, rate, auto (the last two need root)")
       ->delimiter(',')
-      ->check(CLI::IsMember({"unwatched", "rate"}));
+      ->check(CLI::IsMember({"unwatched", "rate", "auto"}));
   command
       ->add_option("--mbit", options->target_mbit,
                    "Case rate: target rates of all sensors together, Mbit/s")
       ->delimiter(',')
       ->check(within(0.1, 800.0));
+  command
+      ->add_option("--link-mbit", options->link_mbit,
+                   "Case auto: rates of the link, one after the other, Mbit/s (default: 8,2,8)")
+      ->delimiter(',')
+      ->check(within(0.1, 1'000.0));
   command->add_option("--scene", options->scene, "The simulated room")->capture_default_str();
   command->add_option("--sensors", options->sensors, "Number of simulated sensors")
       ->check(within(1, 8))

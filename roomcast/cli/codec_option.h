@@ -13,6 +13,29 @@
 
 namespace roomcast::cli {
 
+/// Adds --mbit.
+inline void add_target_rate_option(CLI::App& command, sensor::CodecChoice& choice) {
+  const auto set = [&choice](const std::string& text) {
+    choice.fits_line = text == "auto";
+    if (!choice.fits_line) CLI::detail::lexical_cast(text, choice.target_mbit_per_s);
+  };
+  const auto number = within(sensor::kMinTargetMbit, sensor::kMaxTargetMbit);
+  const auto check = [number](std::string text) {
+    if (text == "auto") return std::string();
+    const std::string fault = number(text);
+    return fault.empty() ? fault : fault + ", nor auto";
+  };
+  command
+      .add_option_function<std::string>(
+          "--mbit", set,
+          "Send so many Mbit/s, never more; auto: as many as the line to the hub carries. Depth "
+          "and "
+          "colour become coarser or finer, then frames fewer; --color-kbit has no effect (default: "
+          "a fixed quality)")
+      ->check(CLI::Validator(check, ""))
+      ->type_name("auto or 0.1 to 100");
+}
+
 /// Adds --codec, --bound-mm, --layers, --color-scale, --color-kbit and --mbit.
 inline void add_codec_options(CLI::App& command, sensor::CodecChoice& choice) {
   const std::map<std::string, codec::DepthMode> modes = {
@@ -43,11 +66,7 @@ inline void add_codec_options(CLI::App& command, sensor::CodecChoice& choice) {
       .add_option("--color-kbit", choice.color_kbit_per_s, "Bit rate of the colour stream, kbit/s")
       ->check(within(50, 20'000))
       ->default_str("790, or 1000 with --color-scale 2");
-  command
-      .add_option("--mbit", choice.target_mbit_per_s,
-                  "Send so many Mbit/s, never more: depth and colour become coarser or finer, "
-                  "then frames fewer; --color-kbit has no effect (default: a fixed quality)")
-      ->check(within(sensor::kMinTargetMbit, sensor::kMaxTargetMbit));
+  add_target_rate_option(command, choice);
 }
 
 }  // namespace roomcast::cli

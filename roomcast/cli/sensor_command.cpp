@@ -60,6 +60,7 @@ nlohmann::ordered_json status_json(const std::string& name, const sensor::Sensor
                                  {"frames_sent", now.frames_sent},
                                  {"frames_lost", now.source.frames_lost},
                                  {"unplugged", now.source.disconnect_count}};
+  if (now.line_mbit_per_s > 0) json["line_mbit_per_s"] = now.line_mbit_per_s;
   if (now.interference.is_known) {
     json["interference"] = {{"flickering", now.interference.flickering},
                             {"noise_ratio", now.interference.noise_ratio}};
@@ -73,6 +74,8 @@ std::string status_text(const std::string& name, const sensor::SensorFeedStats& 
   std::string text = fmt::format(
       "{}: {} frames/s, {:.2f} MB/s, {} frames sent", name, now.frames_sent - before.frames_sent,
       static_cast<double>(now.bytes_sent - before.bytes_sent) / 1e6, now.frames_sent);
+  if (now.line_mbit_per_s > 0)
+    text += fmt::format(", the line carries {:.1f} Mbit/s", now.line_mbit_per_s);
   if (!now.frames_wanted) text += ", nobody watches";
   if (now.source.frames_lost > 0) text += fmt::format(", {} lost", now.source.frames_lost);
   if (now.source.disconnect_count > 0)

@@ -66,6 +66,13 @@ class HubLink::Connection final : public net::ConnectionHandler {
   void set_timings(const net::ConnectionTimings& timings) {
     if (const auto socket = socket_.lock()) socket->set_timings(timings);
   }
+  [[nodiscard]] std::optional<net::LineState> line_state() const {
+    const auto socket = socket_.lock();
+    return socket ? socket->line_state() : std::nullopt;
+  }
+  void set_pace(double payload_bytes_per_s) {
+    if (const auto socket = socket_.lock()) socket->set_pace(payload_bytes_per_s);
+  }
   void part() {
     link_ = nullptr;
     if (const auto socket = socket_.lock()) socket->close(net::close_code::kNormal, "left");
@@ -112,6 +119,14 @@ void HubLink::wake() {
 
 void HubLink::send(const pb::Control& message) {
   if (connection_) connection_->send(message);
+}
+
+std::optional<net::LineState> HubLink::line_state() const {
+  return connection_ ? connection_->line_state() : std::nullopt;
+}
+
+void HubLink::set_pace(double payload_bytes_per_s) {
+  if (connection_) connection_->set_pace(payload_bytes_per_s);
 }
 
 net::ConnectionTimings HubLink::timings() const {

@@ -23,6 +23,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/core/result.h"
 #include "roomcast/net/hub_url.h"
+#include "roomcast/net/line_state.h"
 #include "roomcast/net/socket_tuning.h"
 #include "roomcast/net/timer.h"
 #include "roomcast/net/websocket_client.h"
@@ -86,6 +87,10 @@ class HubLink {
   void wake();
   /// Dropped if there is no connection, or if too many messages are queued.
   void send(const wire::pb::Control& message);
+  /// Nothing without a connection.
+  [[nodiscard]] std::optional<net::LineState> line_state() const;
+  /// Of this connection, until it ends.
+  void set_pace(double payload_bytes_per_s);
   /// Bytes of all messages that were sent besides frames. Thread-safe.
   [[nodiscard]] std::uint64_t control_bytes() const { return control_bytes_; }
 

@@ -11,35 +11,16 @@
 #include "roomcast/client/frame_sequence.h"
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
-#include "roomcast/client/room/calibration_message.h"
 #include "roomcast/client/send_rate.h"
+#include "roomcast/client/sensor_messages.h"
 #include "roomcast/client/stop_notice.h"
+#include "roomcast/client/uplink/uplink_monitor.h"
 #include "roomcast/net/framed_message.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
-#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::client {
 namespace {
-
-wire::pb::Join join_message(const PublisherOptions& options) {
-  wire::pb::Join join;
-  join.set_room(options.room);
-  show(options.credential, join);
-  join.set_name(options.name);
-  auto& sensor = *join.mutable_sensor();
-  sensor.set_fps(options.fps);
-  *sensor.mutable_calibration() = message_from_calibration(options.calibration);
-  if (options.world_from_depth)
-    wire::write_transform(*options.world_from_depth, *sensor.mutable_world_from_depth());
-  return join;
-}
-
-wire::pb::Control moved_message() {
-  wire::pb::Control message;
-  message.mutable_sensor_moved();
-  return message;
-}
 
 std::uint32_t clock_error_us(nanoseconds error) {
   const auto us = (error.count() + 999) / 1000;
@@ -53,12 +34,17 @@ class Publisher::Link final : public HubLinkEvents {
   Link(std::vector<net::HubUrl> hubs, PublisherOptions options)
       : options_(std::move(options)),
         link_(network_.io(), std::move(hubs), join_message(options_), *this,
-              {.pace = options_.pace}) {
+              {.pace = options_.pace}),
+        uplink_(network_.io(), {.state = [this] { return link_.line_state(); },
+                                .set_pace = [this](double pace) { link_.set_pace(pace); }}) {
     link_.start();
     network_.start();
   }
   ~Link() override {
-    network_.finish([this] { link_.stop(); });
+    network_.finish([this] {
+      uplink_.finish();
+      link_.stop();
+    });
   }
 
   /// Waits until welcomed, or until the first attempt has failed.
@@ -86,14 +72,15 @@ class Publisher::Link final : public HubLinkEvents {
 
   std::optional<Turn> next_turn() {
     std::lock_guard lock(mutex_);
-    const bool may_send = shared_.connected && shared_.clock && shared_.unsent < kMaxFramesWaiting;
-    if (!may_send) {
+    const bool is_ready = shared_.connected && shared_.clock;
+    if (!is_ready || shared_.unsent >= max_frames_waiting()) {
       skip_frame();
-      if (shared_.connected && shared_.clock) send_rate_.piled_up(SteadyClock().now());
+      if (is_ready) send_rate_.piled_up(SteadyClock().now());
       return std::nullopt;
     }
     send_rate_.flowed(SteadyClock().now());
-    return Turn{shared_.session, std::exchange(shared_.want_key, false), send_rate_.share()};
+    const double share = options_.estimate_uplink ? 1 : send_rate_.share();
+    return Turn{shared_.session, std::exchange(shared_.want_key, false), share};
   }
 
   std::optional<Published> publish(const Turn& turn, const codec::EncodedFrameInfo& info,
@@ -107,11 +94,7 @@ class Publisher::Link final : public HubLinkEvents {
     });
   }
   void report_health(const wire::pb::SensorHealth& health) {
-    boost::asio::post(network_.io(), [this, health] {
-      wire::pb::Control message;
-      *message.mutable_sensor_health() = health;
-      link_.send(message);
-    });
+    boost::asio::post(network_.io(), [this, health] { link_.send(health_message(health)); });
   }
   void report_moved() {
     boost::asio::post(network_.io(), [this] {
@@ -138,6 +121,13 @@ class Publisher::Link final : public HubLinkEvents {
     return shared_.clock->room_time(time);
   }
 
+  std::optional<Uplink> uplink() const {
+    if (!options_.estimate_uplink) return std::nullopt;
+    Uplink uplink = uplink_.uplink();
+    std::lock_guard lock(mutex_);
+    uplink.waiting_bytes += shared_.unsent_bytes;
+    return uplink;
+  }
   std::uint64_t control_bytes() const { return link_.control_bytes(); }
 
   std::optional<Error> failure() const {
@@ -171,15 +161,18 @@ class Publisher::Link final : public HubLinkEvents {
     bool frames_wanted = true;
     wire::pb::SightingRequest wanted_sightings;
     std::optional<ClockEstimate> clock;
-    std::size_t unsent = 0;
-    std::optional<Error> down;     // why there is no connection now
-    std::optional<Error> failure;  // why the connection ended for good
+    std::size_t unsent = 0, unsent_bytes = 0;  // frames
+    std::optional<Error> down;                 // why there is no connection now
+    std::optional<Error> failure;              // why the connection ended for good
     PublisherStats stats;
   };
 
   std::optional<wire::FrameHeader> make_header(const Turn& turn,
                                                const codec::EncodedFrameInfo& info,
                                                HostTime capture_time);
+  [[nodiscard]] std::size_t max_frames_waiting() const {
+    return options_.estimate_uplink ? 1 : kMaxFramesWaiting;
+  }
   void skip_frame();
   void enqueue(std::uint64_t session, net::FramedMessagePtr message);
 
@@ -198,6 +191,7 @@ class Publisher::Link final : public HubLinkEvents {
   std::optional<wire::pb::Control> bundle_;
   bool moved_ = false;  // true since the first move
   HubLink link_;
+  UplinkMonitor uplink_;
 };
 
 void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
@@ -206,6 +200,7 @@ void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
   // may predate the move.
   if (moved_ && (!bundle_ || options_.world_from_depth)) link_.send(moved_message());
   if (bundle_) link_.send(*bundle_);
+  if (options_.estimate_uplink) uplink_.start();
   {
     std::lock_guard lock(mutex_);
     ++shared_.session;
@@ -215,7 +210,7 @@ void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
     shared_.frames_wanted = true;
     shared_.wanted_sightings.Clear();
     shared_.clock.reset();
-    shared_.unsent = 0;
+    shared_.unsent = shared_.unsent_bytes = 0;
     shared_.down.reset();
   }
   changed_.notify_all();
@@ -242,6 +237,7 @@ net::FramedMessagePtr Publisher::Link::next_frame() {
   unsent_.pop_front();
   std::lock_guard lock(mutex_);
   --shared_.unsent;
+  shared_.unsent_bytes -= message->size();
   ++shared_.stats.frames_sent;
   shared_.stats.bytes_sent += message->size();
   return message;
@@ -254,6 +250,7 @@ void Publisher::Link::on_clock(const ClockEstimate& estimate) {
 
 void Publisher::Link::on_down(const Error& reason, bool final) {
   unsent_.clear();  // they carry an ID that may be invalid on the next connection
+  uplink_.stop();
   bool is_news = false;
   {
     std::lock_guard lock(mutex_);
@@ -314,6 +311,7 @@ void Publisher::Link::enqueue(std::uint64_t session, net::FramedMessagePtr messa
   {
     std::lock_guard lock(mutex_);
     if (session != shared_.session || !shared_.connected) return;
+    shared_.unsent_bytes += message->size();
   }
   unsent_.push_back(std::move(message));
   link_.wake();
@@ -381,6 +379,9 @@ std::optional<RoomTime> Publisher::room_time(HostTime time) const {
   return link_->room_time(time);
 }
 
+std::optional<Uplink> Publisher::uplink() const {
+  return link_->uplink();
+}
 std::uint64_t Publisher::control_bytes() const {
   return link_->control_bytes();
 }

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "roomcast/client/credential.h"
+#include "roomcast/client/uplink/uplink.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/core/clock.h"
 #include "roomcast/core/log.h"
@@ -36,7 +37,8 @@ struct PublisherOptions {
   double fps = 30;
   bool send_unwatched = false;         // frames are wanted while nobody watches, too
   std::optional<net::Pace> pace = {};  // of what is sent; nothing: as the network allows
-  bool wait_for_hub = false;           // keep trying if there is no hub at first; else open() fails
+  bool estimate_uplink = false;  // and send at the pace that the line carries; not with `pace`
+  bool wait_for_hub = false;     // keep trying if there is no hub at first; else open() fails
   LogSink log;
   std::stop_token stop = {};  // ends the wait of open() for the hub
 };
@@ -51,7 +53,7 @@ struct PublisherStats {
 class Publisher {
  public:
   /// With so many frames unsent there is no turn: one being written, one ready. More would only add
-  /// delay.
+  /// delay. One only if the uplink is estimated: its frames are made for what the line carries.
   static constexpr std::size_t kMaxFramesWaiting = 2;
 
   /// Connects and joins. kInvalidArgument: not a hub's address. kUnavailable, kNotFound,
@@ -109,6 +111,8 @@ class Publisher {
   /// Converts to room time; nothing while room time is not known.
   [[nodiscard]] std::optional<RoomTime> room_time(HostTime time) const;
 
+  /// With `estimate_uplink`: the line to the hub, by estimate. Thread-safe.
+  [[nodiscard]] std::optional<Uplink> uplink() const;
   /// Bytes of all that was sent besides frames. Thread-safe.
   [[nodiscard]] std::uint64_t control_bytes() const;
 

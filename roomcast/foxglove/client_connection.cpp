@@ -93,13 +93,12 @@ void ClientConnection::refuse(unsigned status, const std::string& sentence) {
   refusal_.body() = sentence;
   refusal_.keep_alive(false);
   refusal_.prepare_payload();
-  http::async_write(stream_.next_layer(), refusal_,
-                    [self = shared_from_this()](ErrorCode, std::size_t) {
-                      ErrorCode ignored;
-                      self->stream_.next_layer().socket().shutdown(
-                          asio::ip::tcp::socket::shutdown_send, ignored);
-                      self->end();
-                    });
+  http::async_write(
+      stream_.next_layer(), refusal_, [self = shared_from_this()](ErrorCode, std::size_t) {
+        ErrorCode ignored;
+        self->stream_.next_layer().socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+        self->end();
+      });
 }
 
 void ClientConnection::on_open() {
@@ -139,8 +138,8 @@ void ClientConnection::subscribe(const std::vector<Subscription>& wanted) {
     if (!std::ranges::any_of(owner_->channels(), [&](const Channel& channel) {
           return channel.id == subscription.channel;
         })) {
-      say(status(Level::kError, "There is no channel " +
-                                    std::to_string(subscription.channel.value) + "."));
+      say(status(Level::kError,
+                 "There is no channel " + std::to_string(subscription.channel.value) + "."));
     } else if (const auto added = subscriptions_.add(subscription); !added) {
       say(status(Level::kError, added.error().message));
     }

@@ -65,8 +65,9 @@ class Client {
 };
 
 constexpr ChannelId kDepthTopic{1}, kPointsTopic{2};
-const std::vector<Channel> kChannels = {{kDepthTopic, "/s0/depth", recording::FoxgloveKind::kDepth},
-                                        {kPointsTopic, "/points", recording::FoxgloveKind::kPoints}};
+const std::vector<Channel> kChannels = {
+    {kDepthTopic, "/s0/depth", recording::FoxgloveKind::kDepth},
+    {kPointsTopic, "/points", recording::FoxgloveKind::kPoints}};
 
 class FoxgloveServerTest : public testing::Test {
  protected:

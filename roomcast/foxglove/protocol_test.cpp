@@ -69,8 +69,7 @@ TEST(FoxgloveProtocol, channels_are_advertised_with_their_schema) {
   EXPECT_EQ(channel["topic"], "/s0/depth");
   EXPECT_EQ(channel["encoding"], "protobuf");
   EXPECT_EQ(channel["schemaName"], "foxglove.RawImage");
-  EXPECT_EQ(channel["schema"],
-            base64(foxglove_schema(recording::FoxgloveKind::kDepth).files));
+  EXPECT_EQ(channel["schema"], base64(foxglove_schema(recording::FoxgloveKind::kDepth).files));
 }
 
 TEST(FoxgloveProtocol, text_that_is_no_utf8_is_replaced) {

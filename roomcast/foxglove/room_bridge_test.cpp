@@ -21,7 +21,8 @@ class RoomBridgeTest : public testing::Test {
   }
 
   void open() {
-    auto opened = client::Subscriber::open({.hub_url = hub->url(), .room = {}, .name = "bridge", .log = {}});
+    auto opened =
+        client::Subscriber::open({.hub_url = hub->url(), .room = {}, .name = "bridge", .log = {}});
     ASSERT_TRUE(opened.ok()) << opened.error().message;
     room = std::move(*opened);
     server = std::move(*FoxgloveServer::listen({.port = 0}));

@@ -27,10 +27,9 @@ class FoxgloveTopics : public testing::Test {
     return ids;
   }
   Status publish(const recording::FrameSet& set, const std::set<ChannelId>& wanted) {
-    return topics.publish(set, wanted,
-                          [this](ChannelId channel, nanoseconds, std::string message) {
-                            published[channel].push_back(std::move(message));
-                          });
+    return topics.publish(set, wanted, [this](ChannelId channel, nanoseconds, std::string message) {
+      published[channel].push_back(std::move(message));
+    });
   }
 
   Topics topics{TopicsOptions{}};
@@ -40,7 +39,7 @@ class FoxgloveTopics : public testing::Test {
 TEST_F(FoxgloveTopics, a_room_has_its_cloud_its_poses_and_three_topics_for_each_sensor) {
   std::set<std::string> names;
   for (const Channel& channel : topics.channels()) names.insert(channel.topic);
-  const std::set<std::string> expected = {"/points",     "/tf",        "/near/color",
+  const std::set<std::string> expected = {"/points",     "/tf",          "/near/color",
                                           "/near/depth", "/near/camera", "/far/color",
                                           "/far/depth",  "/far/camera"};
   EXPECT_EQ(names, expected);

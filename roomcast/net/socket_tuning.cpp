@@ -24,12 +24,22 @@ void tune_for_live_streams(boost::asio::ip::tcp::socket& socket) {
                      static_cast<socklen_t>(kCongestionControl.size()));
 }
 
+namespace {
+
+constexpr double kMinSegment = 536, kMaxSegment = 1448;
+constexpr double kHeaders = 20 + 20 + 12;  // IPv4, TCP, TCP's time stamps
+
+}  // namespace
+
 Pace pace_for(double line_bytes_per_s) {
-  constexpr double kMinSegment = 536, kMaxSegment = 1448, kSegmentsPerSecond = 60;
-  constexpr double kHeaders = 20 + 20 + 12;  // IPv4, TCP, TCP's time stamps
+  constexpr double kSegmentsPerSecond = 60;
   const double segment =
       std::clamp(line_bytes_per_s / kSegmentsPerSecond, kMinSegment, kMaxSegment);
   return {static_cast<int>(segment), line_bytes_per_s * segment / (segment + kHeaders)};
+}
+
+double line_mbit_per_s(double payload_bytes_per_s) {
+  return payload_bytes_per_s * (kMaxSegment + kHeaders) / kMaxSegment * 8e-6;
 }
 
 void limit_segments(boost::asio::ip::tcp::socket& socket, int segment_bytes) {

@@ -27,6 +27,9 @@ struct Pace {
 /// carries (RFC 1122).
 [[nodiscard]] Pace pace_for(double line_bytes_per_s);
 
+/// The rate of a line, Mbit/s with headers of TCP and IP, that carries so much in full segments.
+[[nodiscard]] double line_mbit_per_s(double payload_bytes_per_s);
+
 /// Call before the socket is connected; later it has no effect.
 void limit_segments(boost::asio::ip::tcp::socket& socket, int segment_bytes);
 

@@ -283,6 +283,17 @@ void WebSocketConnection::set_timings(const ConnectionTimings& timings) {
   if (stage_ == Stage::kOpen && handler_) watch_silence();
 }
 
+std::optional<LineState> WebSocketConnection::line_state() {
+  if (!stream_.is_open()) return std::nullopt;
+  auto state = net::line_state(stream_.socket().native_handle());
+  if (state) state->unsent_bytes += unwritten_bytes();
+  return state;
+}
+
+void WebSocketConnection::set_pace(double payload_bytes_per_s) {
+  if (stream_.is_open()) net::set_pace(stream_.socket(), payload_bytes_per_s);
+}
+
 /// A late timer means that this program was kept from reading as well; messages of the peer may
 /// still be unread, so the delay does not count as silence.
 void WebSocketConnection::on_silence_timer() {

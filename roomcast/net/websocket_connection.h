@@ -24,6 +24,7 @@
 #include <boost/asio/steady_timer.hpp>
 
 #include "roomcast/net/framed_message.h"
+#include "roomcast/net/line_state.h"
 #include "roomcast/net/outgoing_frames.h"
 #include "roomcast/net/stream.h"
 #include "roomcast/net/websocket_frame.h"
@@ -123,6 +124,11 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   [[nodiscard]] const ConnectionCounters& counters() const { return counters_; }
   /// Bytes taken from the handler but not yet accepted by the kernel.
   [[nodiscard]] std::size_t unwritten_bytes() const { return outgoing_.unwritten_bytes(); }
+  /// Bytes that this connection has not passed to the kernel count as unsent. Nothing once the
+  /// socket is closed.
+  [[nodiscard]] std::optional<LineState> line_state();
+  /// As net::set_pace().
+  void set_pace(double payload_bytes_per_s);
   /// True after close() was called, the peer closed, or the connection broke.
   [[nodiscard]] bool closing() const { return stage_ != Stage::kOpen; }
 

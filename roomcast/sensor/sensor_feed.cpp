@@ -82,9 +82,14 @@ class SensorFeed::Worker {
   SensorFeedStats stats() const {
     const client::PublisherStats sent = sender_->publisher().stats();
     std::lock_guard lock(mutex_);
-    return {sent.frames_sent,  sent.frames_skipped,
-            sent.bytes_sent,   sender_->publisher().frames_wanted(),
-            source_->health(), figures_};
+    return {
+        sent.frames_sent,
+        sent.frames_skipped,
+        sent.bytes_sent,
+        sender_->publisher().frames_wanted(),
+        source_->health(),
+        figures_,
+        net::line_mbit_per_s(sender_->publisher().uplink().value_or(client::Uplink()).bytes_per_s)};
   }
   std::optional<Status> result() const {
     std::lock_guard lock(mutex_);

@@ -46,6 +46,8 @@ struct SensorFeedStats {
   bool frames_wanted = true;  // false: nobody watches, and no frames are sent
   source::SourceHealth source;
   InterferenceFigures interference;
+  /// What the line to the hub carries, with headers of TCP and IP, by estimate; 0: not estimated.
+  double line_mbit_per_s = 0;
 };
 
 class SensorFeed {

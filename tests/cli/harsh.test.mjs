@@ -97,3 +97,14 @@ test('a_sensor_prints_its_state_as_json', async (t) => {
   assert.ok(state.frames_sent > 0);
   assert.ok(state.interference.flickering >= 0 && state.interference.flickering < 0.05, line);
 });
+
+test('a_sensor_that_fits_its_line_says_what_the_line_carries', async (t) => {
+  const hub = await startHub(t);
+  const options = ['sensor', '--source', 'sim:bare', '--hub', hub.url];
+  const sensor = new Program([...options, '--json', '--always', '--mbit', 'auto']);
+  t.after(() => sensor.stop('SIGKILL'));
+  const [line] = await sensor.prints(/\{.*"line_mbit_per_s".*\}/);
+  assert.ok(JSON.parse(line).line_mbit_per_s >= 0.1, line);
+  assertFailed(await run(...options, '--mbit', 'automatic'), 2, /automatic is not a number from 0\.1 to 100, nor auto/);
+  assertFailed(await run(...options, '--mbit', 'auto', '--codec', 'lossless'), 2, /a target rate needs live depth/);
+});

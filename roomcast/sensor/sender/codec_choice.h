@@ -18,17 +18,23 @@ struct CodecChoice {
   int color_kbit_per_s = 0;      // 0: the default bit rate
   double target_mbit_per_s = 0;  // of the whole stream on its line, with headers of TCP and IP; 0:
                                  // none, the quality is fixed. Live mode only
+  bool fits_line = false;  // the target is what the line carries, estimated all the time. Live
+                           // mode only
 
   /// kInvalidArgument: the target is out of its range, or not for this mode.
   [[nodiscard]] Status check() const {
-    if (target_mbit_per_s == 0) return {};
+    if (fits_line && target_mbit_per_s != 0)
+      return invalid_argument("a target rate is a number or what the line carries, not both");
+    if (target_mbit_per_s == 0 && !fits_line) return {};
     if (depth_mode != codec::DepthMode::kLive) {
       return invalid_argument("a target rate needs live depth: exact depth takes what it takes");
     }
+    if (fits_line) return {};
     if (target_mbit_per_s >= kMinTargetMbit && target_mbit_per_s <= kMaxTargetMbit) return {};
     return invalid_argument("a target rate is from 0.1 to 100 Mbit/s");
   }
 
+  [[nodiscard]] bool has_target() const { return fits_line || target_mbit_per_s > 0; }
   [[nodiscard]] int color_kbit() const {
     if (color_kbit_per_s > 0) return color_kbit_per_s;
     return color_scale == 1 ? codec::kUsualColorKbit : codec::kUsualFineColorKbit;

@@ -4,11 +4,15 @@
 #include <string>
 #include <utility>
 
+#include "roomcast/client/uplink/bandwidth_estimator.h"
+
 namespace roomcast::sensor {
 namespace {
 
 /// RateControl asks for key frames earlier.
 constexpr double kKeyIntervalWithTarget_s = 3600;
+/// Less waits where the line is estimated: its pace leaves time between frames anyway.
+constexpr double kReserveOnLine_s = 0.02;
 
 codec::FrameEncoderOptions encoder_options(const client::PublisherOptions& sensor,
                                            const CodecChoice& codec) {
@@ -21,8 +25,27 @@ codec::FrameEncoderOptions encoder_options(const client::PublisherOptions& senso
   options.color_kbit_per_s = codec.color_kbit();
   options.temporal_layers = codec.layers;
   options.depth_mode = codec.depth_mode;
-  if (codec.target_mbit_per_s > 0) options.key_interval_s = kKeyIntervalWithTarget_s;
+  if (codec.has_target()) options.key_interval_s = kKeyIntervalWithTarget_s;
   return options;
+}
+
+/// Sets `sensor` up for the target, if there is one.
+std::optional<RateControl> rate_control(const CodecChoice& codec,
+                                        client::PublisherOptions& sensor) {
+  if (codec.fits_line) {
+    sensor.estimate_uplink = true;
+    sensor.pace.reset();
+    return RateControl({.bytes_per_s = client::BandwidthEstimator::kStart,
+                        .fps = sensor.fps,
+                        .reserve_s = kReserveOnLine_s,
+                        .reserve_frames = 0});
+  }
+  if (codec.target_mbit_per_s <= 0) return std::nullopt;
+  net::Pace pace = net::pace_for(codec.target_mbit_per_s * 1e6 / 8);
+  const RateControl::Options options{.bytes_per_s = pace.payload_bytes_per_s, .fps = sensor.fps};
+  pace.payload_bytes_per_s *= RateControl::kPaceMargin;
+  sensor.pace = pace;
+  return RateControl(options);
 }
 
 /// On a line that does not carry the target rate.
@@ -50,15 +73,9 @@ Result<std::unique_ptr<FrameSender>> FrameSender::open(client::PublisherOptions 
   if (!registration) return registration.error();
   auto encoder = codec::FrameEncoder::create(encoding);
   if (!encoder) return encoder.error();
-  std::optional<RateControl> rate;
-  if (codec.target_mbit_per_s > 0) {
-    net::Pace pace = net::pace_for(codec.target_mbit_per_s * 1e6 / 8);
-    rate.emplace(RateControl::Options{pace.payload_bytes_per_s, options.fps});
-    pace.payload_bytes_per_s *= RateControl::kPaceMargin;
-    options.pace = pace;
-  }
   std::unique_ptr<FrameSender> sender(new FrameSender(std::move(*registration), std::move(*encoder),
-                                                      codec.color_kbit(), std::move(rate)));
+                                                      codec.color_kbit(),
+                                                      rate_control(codec, options)));
   auto publisher = client::Publisher::open(std::move(options));
   if (!publisher) return publisher.error();
   sender->publisher_ = std::move(*publisher);
@@ -72,6 +89,8 @@ Result<std::optional<client::Publisher::Published>> FrameSender::send(DepthView 
   if (!publisher_->frames_wanted()) return Sent();
   std::optional<RateControl::Plan> plan;
   if (rate_) {
+    if (const auto line = publisher_->uplink())
+      rate_->follow_line(line->bytes_per_s, static_cast<double>(line->waiting_bytes));
     plan = rate_->next_frame(capture_time, publisher_->control_bytes());
     if (!plan) return Sent();
   }

@@ -21,7 +21,8 @@ namespace roomcast::sensor {
 class FrameSender {
  public:
   /// Joins the hub. Errors: those of CodecChoice::check, of HoleRegistration::create, of the
-  /// encoder's options, and of Publisher::open. With a target rate it replaces options.pace.
+  /// encoder's options, and of Publisher::open. With a target rate it replaces options.pace
+  /// and options.estimate_uplink.
   static Result<std::unique_ptr<FrameSender>> open(client::PublisherOptions options,
                                                    const CodecChoice& codec);
 

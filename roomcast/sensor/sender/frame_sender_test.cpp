@@ -12,6 +12,7 @@
 
 #include "roomcast/client/hub_fixture.h"
 #include "roomcast/client/network_thread.h"
+#include "roomcast/client/uplink/bandwidth_estimator.h"
 
 namespace roomcast::sensor {
 namespace {
@@ -89,6 +90,31 @@ TEST_F(FrameSenderTest, with_a_target_rate_fewer_frames_are_sent_than_would_fit_
   const auto sent = (*sender)->publisher().stats().frames_sent;
   EXPECT_GT(sent, 0u);
   EXPECT_LT(sent, 8u) << bytes << " bytes in " << seconds.count() << " s";
+}
+
+TEST_F(FrameSenderTest, a_stream_that_fits_its_line_learns_what_loopback_carries) {
+  auto sender = FrameSender::open(sensor_of(hub->url(), 320, 240), {.fits_line = true});
+  ASSERT_TRUE(sender.ok()) << sender.error().message;
+  EXPECT_EQ((*sender)->publisher().uplink()->bytes_per_s, client::BandwidthEstimator::kStart);
+  std::minstd_rand random(3);
+  DepthImage noise(320, 240);
+  const auto give_up = std::chrono::steady_clock::now() + 20s;
+  while ((*sender)->publisher().uplink()->bytes_per_s < 3 * client::BandwidthEstimator::kStart &&
+         std::chrono::steady_clock::now() < give_up) {
+    for (std::size_t k = 0; k < noise.view().pixel_count(); ++k)
+      noise.data()[k] = static_cast<std::uint16_t>(500 + random() % 4'000);
+    ASSERT_TRUE((*sender)->send(noise, {}, SteadyClock().now()).ok());
+    std::this_thread::sleep_for(20ms);
+  }
+  EXPECT_GE((*sender)->publisher().uplink()->bytes_per_s, 3 * client::BandwidthEstimator::kStart);
+}
+
+TEST_F(FrameSenderTest, what_fits_the_line_needs_live_depth_and_no_number) {
+  const auto options = sensor_of(hub->url(), 64, 48);
+  EXPECT_FALSE(FrameSender::open(options, {.target_mbit_per_s = 2, .fits_line = true}).ok());
+  EXPECT_FALSE(
+      FrameSender::open(options, {.depth_mode = codec::DepthMode::kLossless, .fits_line = true})
+          .ok());
 }
 
 TEST_F(FrameSenderTest, a_frame_is_registered_encoded_and_published) {

@@ -114,6 +114,15 @@ TEST_F(RateControlTest, the_frame_rate_returns_when_frames_are_fine_again) {
   EXPECT_EQ(control.divisor(), 1);
 }
 
+TEST_F(RateControlTest, the_frame_rate_returns_at_once_on_a_faster_line) {
+  Encoder encoder{.error = 0.1, .least = 7'000};
+  run(10, 30, encoder);
+  ASSERT_EQ(control.divisor(), 4);
+  control.follow_line(4 * kBytesPerSecond, 0);
+  run(0.5, 30, encoder);
+  EXPECT_EQ(control.divisor(), 1);
+}
+
 TEST_F(RateControlTest, other_messages_count) {
   Encoder encoder;
   run(5, 30, encoder);
@@ -123,6 +132,34 @@ TEST_F(RateControlTest, other_messages_count) {
   const auto next = std::ranges::find_if(sent, [&](const Sent& s) { return s.at_s > before_s; });
   ASSERT_NE(next, sent.end());
   EXPECT_GT(next->at_s - before_s, 0.4);
+}
+
+TEST_F(RateControlTest, follows_a_line_that_changes) {
+  Encoder encoder{.error = 0};
+  double waiting = 0;
+  const auto bytes_in = [&](double seconds, double bytes_per_s) {
+    double bytes = 0;
+    for (int i = 0; i < static_cast<int>(30 * seconds); ++i) {
+      now_s += 1.0 / 30;
+      waiting = std::max(0.0, waiting - bytes_per_s / 30);
+      control.follow_line(bytes_per_s, waiting);
+      const auto plan = control.next_frame(time(now_s), 0);
+      if (!plan) continue;
+      const auto size = encoder.encode(*plan, false);
+      control.sent(size, encoder.info);
+      waiting += static_cast<double>(size);
+      bytes += static_cast<double>(size);
+    }
+    return bytes;
+  };
+  (void)bytes_in(2, kBytesPerSecond);
+  EXPECT_NEAR(bytes_in(4, kBytesPerSecond) / 4, kBytesPerSecond, 0.02 * kBytesPerSecond);
+  (void)bytes_in(1, kBytesPerSecond / 4);
+  EXPECT_NEAR(bytes_in(4, kBytesPerSecond / 4) / 4, kBytesPerSecond / 4, 0.02 * kBytesPerSecond);
+  waiting = kBytesPerSecond;
+  EXPECT_EQ(bytes_in(0.3, kBytesPerSecond / 4), 0) << "the line is full: frames wait";
+  waiting = 0;
+  EXPECT_GT(bytes_in(0.3, kBytesPerSecond), 0) << "by what really waits, not by what was sent";
 }
 
 TEST_F(RateControlTest, learns_the_rate_at_which_frames_really_come) {

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is known of the line from a client to its hub.
+#pragma once
+
+#include <cstddef>
+
+namespace roomcast::client {
+
+struct Uplink {
+  double bytes_per_s = 0;         // that it carries, without headers of TCP and IP
+  std::size_t waiting_bytes = 0;  // that are not sent yet
+};
+
+}  // namespace roomcast::client

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/client/uplink/uplink_monitor.h"
+
+#include <chrono>
+
+namespace roomcast::client {
+namespace {
+
+constexpr std::chrono::milliseconds kReadEvery{20};
+// Frames leave in less than the time until the next, so that the line shows whether it has more.
+// BBR itself measures the line only by what is sent.
+constexpr double kPaceMargin = 1.15, kPaceMarginWithBbr = 1.4;
+
+}  // namespace
+
+void UplinkMonitor::start() {
+  estimator_ = {};
+  bytes_per_s_ = estimator_.bytes_per_s();
+  unsent_bytes_ = 0;
+  timer_.repeat(kReadEvery, [this] { read(); });
+}
+
+void UplinkMonitor::read() {
+  const auto line = line_.state();
+  if (!line) return;
+  estimator_.add({.time = clock_.now(),
+                  .delivered_bytes = line->delivered_bytes,
+                  .is_waiting = line->unsent_bytes > 0,
+                  .round_trip = line->round_trip,
+                  .bbr_bytes_per_s = line->bbr_bytes_per_s,
+                  .is_probing_round_trip = line->is_probing_round_trip});
+  const double rate = estimator_.bytes_per_s();
+  bytes_per_s_ = rate;
+  unsent_bytes_ = line->unsent_bytes;
+  line_.set_pace(rate * (line->bbr_bytes_per_s > 0 ? kPaceMarginWithBbr : kPaceMargin));
+}
+
+}  // namespace roomcast::client
