@@ -1,14 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/cli/command.h"
 
+#include <nlohmann/json.hpp>
+
 #include "roomcast/cli/print.h"
 
 namespace roomcast::cli {
+namespace {
 
-int finish(std::string_view name, const Status& status) {
+std::string_view name_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kInvalidArgument:
+      return "invalid_argument";
+    case ErrorCode::kNotFound:
+      return "not_found";
+    case ErrorCode::kMalformed:
+      return "malformed";
+    case ErrorCode::kTooLarge:
+      return "too_large";
+    case ErrorCode::kUnsupported:
+      return "unsupported";
+    case ErrorCode::kUnavailable:
+      return "unavailable";
+    case ErrorCode::kClosed:
+      break;
+  }
+  return "closed";
+}
+
+}  // namespace
+
+int tell(const Finished& finished, bool json) {
+  const auto& [status, told] = finished.outcome;
   if (status) return kDone;
-  print_err("roomcast {}: {}\n", name, one_line(status.error().message));
+  const std::string sentence = one_line(status.error().message);
+  if (finished.name.empty()) {
+    print_err("roomcast: {}\n", sentence);
+  } else {
+    print_err("roomcast {}: {}\n", finished.name, sentence);
+  }
+  if (json && !told) {
+    nlohmann::json object;
+    add_error(status, object);
+    print_out("{}\n", object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  }
   return status.error().code == ErrorCode::kInvalidArgument ? kWrongUsage : kFailed;
+}
+
+void add_error(const Status& status, nlohmann::json& report) {
+  if (status) return;
+  report["error"] = {{"code", name_of(status.error().code)},
+                     {"sentence", one_line(status.error().message)}};
 }
 
 }  // namespace roomcast::cli

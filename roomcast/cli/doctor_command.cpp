@@ -67,8 +67,10 @@ void print_text(const std::vector<Finding>& findings) {
             count(findings, Verdict::kNotice));
 }
 
-void print_json(const std::vector<Finding>& findings) {
-  nlohmann::ordered_json json;
+void print_json(const std::vector<Finding>& findings, const Status& status) {
+  nlohmann::json error = nlohmann::json::object();
+  add_error(status, error);
+  nlohmann::ordered_json json(error);
   json["problems"] = count(findings, Verdict::kProblem);
   json["notices"] = count(findings, Verdict::kNotice);
   json["findings"] = nlohmann::ordered_json::array();
@@ -81,15 +83,16 @@ void print_json(const std::vector<Finding>& findings) {
   print_out("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
-Status run_doctor(const DoctorOptions& options) {
+Outcome run_doctor(const DoctorOptions& options) {
   if (!options.hub.empty()) {
     if (const auto hubs = net::parse_hub_urls(options.hub); !hubs) return hubs.error();
   }
   const std::vector<Finding> findings = examine(options);
-  options.json ? print_json(findings) : print_text(findings);
-  const long problems = count(findings, Verdict::kProblem);
-  if (problems == 0) return {};
-  return Error{ErrorCode::kUnavailable, "problems were found: " + std::to_string(problems)};
+  Status status;
+  if (const long problems = count(findings, Verdict::kProblem); problems > 0)
+    status = unavailable("problems were found: " + std::to_string(problems));
+  options.json ? print_json(findings, status) : print_text(findings);
+  return {status, true};
 }
 
 }  // namespace

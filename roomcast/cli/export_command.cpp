@@ -127,16 +127,15 @@ Status copy_sets(const ExportOptions& options, recording::FrameSetReader& reader
   return interrupted(options.format);
 }
 
-void report(const ExportOptions& options, const recording::ExportTotals& totals) {
+void report(const ExportOptions& options, const recording::ExportTotals& totals,
+            const Status& status) {
   if (options.json) {
-    print_out("{}\n", nlohmann::json{{"format", options.format},
-                                     {"out", options.out.string()},
-                                     {"sets", totals.sets},
-                                     {"kept", totals.kept},
-                                     {"points", totals.points},
-                                     {"triangles", totals.triangles},
-                                     {"pictures", totals.pictures}}
-                          .dump(1));
+    nlohmann::json json = {{"format", options.format},   {"out", options.out.string()},
+                           {"sets", totals.sets},        {"kept", totals.kept},
+                           {"points", totals.points},    {"triangles", totals.triangles},
+                           {"pictures", totals.pictures}};
+    add_error(status, json);
+    print_out("{}\n", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
     return;
   }
   print_out("{}: {} sets {}", options.out.string(), totals.sets,
@@ -148,7 +147,7 @@ void report(const ExportOptions& options, const recording::ExportTotals& totals)
   print_out("\n");
 }
 
-Status run_export(ExportOptions options) {
+Outcome run_export(ExportOptions options) {
   StopOnSignal stop;
   if (!options.up.empty() && options.format != kFoxglove)
     return invalid_argument("--up is an option of --format foxglove; in the others y is up");
@@ -159,7 +158,7 @@ Status run_export(ExportOptions options) {
   }
   auto reader = recording::open_frame_sets(options.recording, seconds(options.from_s));
   if (!reader) return reader.error();
-  if (auto status = recording::check_may_be_exported(**reader); !status) return status;
+  if (auto status = recording::check_may_be_exported(**reader); !status) return status.error();
   StatusLine line;
   auto writer = make_writer(options, **reader, line, stop.token());
   if (!writer) return writer.error();
@@ -171,8 +170,9 @@ Status run_export(ExportOptions options) {
     return Error{
         ErrorCode::kNotFound,
         "that part of the recording has no frames; choose other values of --from and --to"};
-  if (options.format != kMesh || totals.triangles > 0) report(options, totals);
-  return status;
+  const bool any = options.format != kMesh || totals.triangles > 0;
+  if (any) report(options, totals, status);
+  return {status, any};
 }
 
 std::vector<std::string> format_names() {

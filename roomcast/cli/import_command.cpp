@@ -67,7 +67,7 @@ nlohmann::json json_of(const recording::ImportedSensor& sensor, const recording:
 
 void report(const ImportOptions& options, const Found& found,
             const std::vector<recording::ImportedSensor>& sensors,
-            const recording::RoomTimeline& timeline) {
+            const recording::RoomTimeline& timeline, const Status& status) {
   nlohmann::json list = nlohmann::json::array();
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     for (const std::string& note : found.files[i]->info().notes)
@@ -83,11 +83,12 @@ void report(const ImportOptions& options, const Found& found,
                 sensors[i].colors);
   }
   if (options.json) {
-    print_out("{}\n", nlohmann::json{{"out", options.paths.back()},
-                                     {"fps", timeline.fps},
-                                     {"clock", timeline.explanation},
-                                     {"sensors", list}}
-                          .dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
+    nlohmann::json json = {{"out", options.paths.back()},
+                           {"fps", timeline.fps},
+                           {"clock", timeline.explanation},
+                           {"sensors", list}};
+    add_error(status, json);
+    print_out("{}\n", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
     return;
   }
   if (sensors.size() > 1) print_out("joined by {}\n", timeline.explanation);
@@ -95,7 +96,7 @@ void report(const ImportOptions& options, const Found& found,
             options.paths.back());
 }
 
-Status run_import(const ImportOptions& options) {
+Outcome run_import(const ImportOptions& options) {
   StopOnSignal stop;
   const auto found = find_sensors(options.paths);
   if (!found) return found.error();
@@ -112,10 +113,12 @@ Status run_import(const ImportOptions& options) {
   const auto sensors =
       recording::import_rig(options.paths.back(), found->files, *timeline, rig, stop.token());
   if (!sensors) return sensors.error();
-  report(options, *found, *sensors, *timeline);
+  Status status;
   const auto empty = std::ranges::find(*sensors, 0U, &recording::ImportedSensor::frames);
-  if (empty == sensors->end()) return {};
-  return malformed("nothing of " + empty->name + " could be read: " + empty->first_damage);
+  if (empty != sensors->end())
+    status = malformed("nothing of " + empty->name + " could be read: " + empty->first_damage);
+  report(options, *found, *sensors, *timeline, status);
+  return {status, true};
 }
 
 }  // namespace

@@ -77,9 +77,9 @@ void show_progress(const recording::RoomPlayer& player, double length_s,
   }
 }
 
-Status run_play(PlayOptions options) {
+Outcome run_play(PlayOptions options) {
   StopOnSignal stop;
-  if (auto status = options.player.check(); !status) return status;
+  if (auto status = options.player.check(); !status) return status.error();
   const auto recording = recording::RoomRecording::open(options.file);
   if (!recording) return recording.error();
   if (recording->sensors().empty())
@@ -94,8 +94,12 @@ Status run_play(PlayOptions options) {
     if (!hub) return hub.error();
     own_hub.emplace(std::move(*hub));
     options.player.hub_url = fmt::format("ws://127.0.0.1:{}", own_hub->port());
-    print_out("roomcast play: open http://127.0.0.1:{}/\n", own_hub->port());
-    std::fflush(stdout);
+    if (options.json) {  // stdout is for the report
+      print_err("roomcast play: open http://127.0.0.1:{}/\n", own_hub->port());
+    } else {
+      print_out("roomcast play: open http://127.0.0.1:{}/\n", own_hub->port());
+      std::fflush(stdout);
+    }
   }
   auto credential = find_credential(options.token);
   if (!credential) return credential.error();
@@ -111,11 +115,12 @@ Status run_play(PlayOptions options) {
   shown.join();
   if (options.json) {
     const recording::PlayProgress progress = (*player)->progress();
-    print_out("{}\n", nlohmann::json{{"frames_sent", progress.frames_sent},
-                                     {"position_s", progress.position_s}}
-                          .dump(1));
+    nlohmann::json json = {{"frames_sent", progress.frames_sent},
+                           {"position_s", progress.position_s}};
+    add_error(status, json);
+    print_out("{}\n", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
   }
-  return status;
+  return {status, true};
 }
 
 }  // namespace

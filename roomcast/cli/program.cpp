@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/cli/program.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include <boost/system/system_error.hpp>
@@ -45,6 +47,20 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
   std::abort();
 }
 
+/// The chosen command, or the command of a group: "bench codec".
+bool asks_for_json(const CLI::App& app) {
+  const CLI::Option* const json = app.get_option_no_throw("--json");
+  if (json != nullptr && json->count() > 0) return true;
+  return std::ranges::any_of(app.get_subcommands(),
+                             [](const CLI::App* command) { return asks_for_json(*command); });
+}
+
+/// The same of a command line that is wrong.
+bool says_json(int argc, char** argv) {
+  return std::any_of(argv, argv + argc,
+                     [](const char* word) { return word == std::string_view("--json"); });
+}
+
 int run_command(int argc, char** argv, std::span<const AddCommand> commands) {
   CLI::App app("roomcast: walk around live in a remote room.", "roomcast");
   app.set_version_flag("--version", version_text());
@@ -53,19 +69,20 @@ int run_command(int argc, char** argv, std::span<const AddCommand> commands) {
   Command chosen;
   for (const AddCommand add : commands) add(app, chosen);
   if (const auto word = unknown_command(app, argc, argv); !word.empty()) {
-    print_err("roomcast: there is no command \"{}\" (roomcast --help lists them)\n",
-              one_line(word));
-    return kWrongUsage;
+    const Error unknown =
+        invalid_argument("there is no command \"" + word + "\" (roomcast --help lists them)");
+    return tell(finish("", unknown), says_json(argc, argv));
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {
     return app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
-    print_err("roomcast: {} (roomcast --help shows how)\n", one_line(error.what()));
-    return kWrongUsage;
+    const Error wrong =
+        invalid_argument(std::string(error.what()) + " (roomcast --help shows how)");
+    return tell(finish("", wrong), says_json(argc, argv));
   }
-  return chosen();
+  return tell(chosen(), asks_for_json(app));
 }
 
 }  // namespace

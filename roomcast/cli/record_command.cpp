@@ -125,7 +125,8 @@ double cpu_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-void report(const RecordOptions& options, const Recorders& recorders, double elapsed_s) {
+void report(const RecordOptions& options, const Recorders& recorders, double elapsed_s,
+            const Status& status) {
   nlohmann::json rooms = nlohmann::json::array();
   for (const auto& recorder : recorders) {
     const recording::RecorderStats stats = recorder->stats();
@@ -142,13 +143,12 @@ void report(const RecordOptions& options, const Recorders& recorders, double ela
     }
   }
   if (!options.json) return;
-  print_out(
-      "{}\n",
-      nlohmann::json{{"rooms", rooms}, {"seconds", elapsed_s}, {"cpu_seconds", cpu_seconds()}}.dump(
-          1));
+  nlohmann::json json = {{"rooms", rooms}, {"seconds", elapsed_s}, {"cpu_seconds", cpu_seconds()}};
+  add_error(status, json);
+  print_out("{}\n", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-Status run_record(const RecordOptions& options) {
+Outcome run_record(const RecordOptions& options) {
   StopOnSignal stop;
   const auto credential = find_credential(options.token);
   if (!credential) return credential.error();
@@ -160,8 +160,8 @@ Status run_record(const RecordOptions& options) {
   for (const auto& recorder : *recorders) {
     if (auto finished = recorder->finish(); status && !finished) status = finished;
   }
-  report(options, *recorders, elapsed.count());
-  return status;
+  report(options, *recorders, elapsed.count(), status);
+  return {status, true};
 }
 
 }  // namespace
