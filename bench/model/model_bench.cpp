@@ -10,6 +10,7 @@
 #include "roomcast/io/image_file.h"
 #include "roomcast/model/volume_mesh.h"
 #include "roomcast/recording/export/set_writer.h"
+#include "roomcast/recording/mesh/draco_mesh.h"
 #include "roomcast/recording/mesh/room_views.h"
 
 namespace roomcast::bench {
@@ -92,6 +93,18 @@ Result<ModelRow> add_scores(const fs::path& rig, const model::RoomMesh& mesh,
   return row;
 }
 
+/// Counts the bytes; with `keep` the mesh is the compressed one from here on.
+Status compress(bool keep, model::RoomMesh& mesh, ModelRow& row) {
+  const auto coded = recording::encode_draco(mesh);
+  if (!coded) return coded.error();
+  row.file_bytes = coded->bytes.size();
+  if (!keep) return {};
+  auto decoded = recording::decode_draco(coded->bytes);
+  if (!decoded) return decoded.error();
+  mesh = *std::move(decoded);
+  return {};
+}
+
 Result<ModelRow> measure(const fs::path& rig, const ModelBenchOptions& options,
                          const std::function<void(const std::string&)>& progress) {
   auto gathered = gather(rig, options, progress);
@@ -111,6 +124,7 @@ Result<ModelRow> measure(const fs::path& rig, const ModelBenchOptions& options,
   model::color_mesh(surfaces, options.model, {}, mesh);
   row.fuse_cpu_s = 0.001 * (process_cpu_ms() - before_ms);
   row.volume_bytes = volume->bytes();
+  if (auto status = compress(options.compressed, mesh, row); !status) return status.error();
   row.points = mesh.points_m.size();
   row.triangles = mesh.triangles.size();
   return add_scores(rig, mesh, gathered->truths, options, row);

@@ -20,6 +20,7 @@ namespace roomcast::bench {
 struct ModelBenchOptions {
   std::vector<std::filesystem::path> rigs;
   model::ModelOptions model;
+  bool compressed = false;                             // look at the mesh as room.draco.glb has it
   std::optional<std::filesystem::path> pictures = {};  // a folder for the pictures of add_score
 };
 
@@ -29,8 +30,9 @@ struct ModelRow {
   ScoreFigures sensors;  // from the sensors' places
   ScoreFigures free;     // from places without a sensor
   std::size_t volume_bytes = 0, points = 0, triangles = 0;
-  double frame_cpu_ms = 0;  // to gather a frame, without reading it
-  double fuse_cpu_s = 0;    // volume, mesh and colours, all threads
+  std::size_t file_bytes = 0;  // of room.draco.glb, without its few of JSON
+  double frame_cpu_ms = 0;     // to gather a frame, without reading it
+  double fuse_cpu_s = 0;       // volume, mesh and colours, all threads
 };
 
 /// kNotFound: a rig has no truth. Errors of the files and of fuse_views.

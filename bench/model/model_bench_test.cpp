@@ -47,8 +47,9 @@ class ModelBenchTest : public testing::Test {
       ASSERT_TRUE(io::write_depth_png(rig / "truth" / "s0" / name, depth));
   }
 
-  [[nodiscard]] Result<std::vector<ModelRow>> run() const {
+  [[nodiscard]] Result<std::vector<ModelRow>> run(bool compressed = false) const {
     ModelBenchOptions options;
+    options.compressed = compressed;
     options.rigs = {rig};
     return run_model_bench(options, [](const std::string&) {});
   }
@@ -74,6 +75,18 @@ TEST_F(ModelBenchTest, compares_the_model_with_the_truth) {
   print_table(*rows, table);
   EXPECT_EQ(nlohmann::json::parse(json.str())[0]["frames"], 5);
   EXPECT_NE(table.str().find("rig"), std::string::npos);
+}
+
+TEST_F(ModelBenchTest, looks_at_the_compressed_mesh) {
+  write_rig();
+  write_truth();
+  const auto exact = run(), compressed = run(true);
+  ASSERT_TRUE(compressed) << compressed.error().message;
+  const ModelRow& row = compressed->at(0);
+  EXPECT_EQ(row.triangles, exact->at(0).triangles);
+  EXPECT_LT(row.file_bytes, 4 * row.triangles);
+  EXPECT_GT(row.file_bytes, 1000u);
+  EXPECT_NEAR(row.sensors.median_mm, 1, 0.9) << "points lie on a grid of 1.5 mm";
 }
 
 TEST_F(ModelBenchTest, needs_the_truth) {

@@ -25,14 +25,15 @@ std::string text_of(const ScoreFigures& score) {
 
 void print_table(const std::vector<ModelRow>& rows, std::ostream& out) {
   out << "simulated; median / 90 % of the errors, coverage of what was seen, floating\n";
-  out << fmt::format("{:<14} {:>6} {:>32} {:>32} {:>8} {:>10} {:>9} {:>8}\n", "rig", "frames",
-                     "from the sensors", "from free viewpoints", "volume", "triangles", "frame",
-                     "fusing");
+  out << fmt::format("{:<14} {:>6} {:>32} {:>32} {:>8} {:>10} {:>8} {:>9} {:>8}\n", "rig", "frames",
+                     "from the sensors", "from free viewpoints", "volume", "triangles", "file",
+                     "frame", "fusing");
   for (const ModelRow& row : rows) {
-    out << fmt::format("{:<14} {:>6} {:>32} {:>32} {:>5.0f} MB {:>10} {:>6.1f} ms {:>6.1f} s\n",
-                       row.rig, row.frames, text_of(row.sensors), text_of(row.free),
-                       1e-6 * static_cast<double>(row.volume_bytes), row.triangles,
-                       row.frame_cpu_ms, row.fuse_cpu_s);
+    out << fmt::format(
+        "{:<14} {:>6} {:>32} {:>32} {:>5.0f} MB {:>10} {:>5.2f} MB {:>6.1f} ms {:>6.1f} s\n",
+        row.rig, row.frames, text_of(row.sensors), text_of(row.free),
+        1e-6 * static_cast<double>(row.volume_bytes), row.triangles,
+        1e-6 * static_cast<double>(row.file_bytes), row.frame_cpu_ms, row.fuse_cpu_s);
   }
 }
 
@@ -47,6 +48,7 @@ void print_json(const std::vector<ModelRow>& rows, std::ostream& out) {
                     {"volume_bytes", row.volume_bytes},
                     {"points", row.points},
                     {"triangles", row.triangles},
+                    {"file_bytes", row.file_bytes},
                     {"frame_cpu_ms", row.frame_cpu_ms},
                     {"fuse_cpu_s", row.fuse_cpu_s}});
   }

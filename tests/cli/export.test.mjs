@@ -109,9 +109,37 @@ test('gltf_is_valid_and_its_meshes_have_the_points', async (t) => {
   });
 });
 
+/** What Google's own decoder finds in the Draco data of a GLB: `{ points, triangles, positions }`. */
+async function readDraco(file) {
+  const bytes = readFileSync(file);
+  const json = JSON.parse(bytes.toString('utf8', 20, 20 + bytes.readUInt32LE(12)));
+  const primitive = json.meshes[0].primitives[0];
+  const { bufferView, attributes } = primitive.extensions.KHR_draco_mesh_compression;
+  const view = json.bufferViews[bufferView];
+  const begin = 20 + bytes.readUInt32LE(12) + 8 + (view.byteOffset ?? 0);
+  const script = readFileSync(new URL('../../web/node_modules/three/examples/jsm/libs/draco/draco_decoder.js', import.meta.url), 'utf8');
+  const draco = await new Function('require', '__dirname', `${script}; return DracoDecoderModule`)(require, '')({});
+  const buffer = new draco.DecoderBuffer();
+  buffer.Init(new Int8Array(bytes.subarray(begin, begin + view.byteLength)), view.byteLength);
+  const decoder = new draco.Decoder();
+  const mesh = new draco.Mesh();
+  assert.ok(decoder.DecodeBufferToMesh(buffer, mesh).ok());
+  const values = new draco.DracoFloat32Array();
+  decoder.GetAttributeFloatForAllPoints(mesh, decoder.GetAttributeByUniqueId(mesh, attributes.POSITION), values);
+  const positions = Array.from({ length: values.size() }, (_, i) => values.GetValue(i));
+  const count = (name) => json.accessors[name === 'indices' ? primitive.indices : primitive.attributes[name]].count;
+  assert.equal(count('POSITION'), mesh.num_points());
+  assert.equal(count('indices'), 3 * mesh.num_faces());
+  return { points: mesh.num_points(), triangles: mesh.num_faces(), positions };
+}
+
 test('mesh_is_the_same_surface_in_every_file', async (t) => {
-  const { out, totals } = await exportRig(t, 'mesh', '--to', '0.1', '--voxel', '0.02', '--mesh-files', 'glb,ply,obj');
-  assert.deepEqual(readdirSync(out).sort(), ['room.glb', 'room.obj', 'room.ply']);
+  const files = ['--mesh-files', 'glb,draco.glb,ply,obj'];
+  const { out, totals } = await exportRig(t, 'mesh', '--to', '0.1', '--voxel', '0.02', ...files);
+  assert.deepEqual(readdirSync(out).sort(), ['room.draco.glb', 'room.glb', 'room.obj', 'room.ply']);
+  const small = await validator.validateBytes(new Uint8Array(readFileSync(join(out, 'room.draco.glb'))));
+  assert.equal(small.issues.numErrors, 0, JSON.stringify(small.issues.messages));
+  assert.ok(statSync(join(out, 'room.draco.glb')).size < statSync(join(out, 'room.glb')).size / 8);
   assert.ok(totals.triangles > 1000);
   const report = await validator.validateBytes(new Uint8Array(readFileSync(join(out, 'room.glb'))));
   assert.equal(report.issues.numErrors, 0, JSON.stringify(report.issues.messages));
@@ -124,6 +152,11 @@ test('mesh_is_the_same_surface_in_every_file', async (t) => {
   assert.deepEqual([...ply.getAttribute('position').array], [...primitive.getAttribute('POSITION').getArray()]);
   const obj = new OBJLoader().parse(readFileSync(join(out, 'room.obj'), 'utf8'));
   assert.equal(obj.children[0].geometry.getAttribute('position').count, 3 * totals.triangles);
+  const draco = await readDraco(join(out, 'room.draco.glb'));
+  assert.ok(Math.abs(draco.triangles / totals.triangles - 1) < 0.01 && Math.abs(draco.points / totals.points - 1) < 0.01);
+  const middle = (values, axis) => values.reduce((sum, value, i) => (i % 3 === axis ? sum + value : sum), 0) / (values.length / 3);
+  const exact = [...ply.getAttribute('position').array];
+  for (const axis of [0, 1, 2]) assert.ok(Math.abs(middle(draco.positions, axis) - middle(exact, axis)) < 0.005);
   const truth = truePoints(0);
   const near = (x, y, z) => truth.some((p) => Math.hypot(p[0] - x, p[1] - y, p[2] - z) < 0.05);
   const points = ply.getAttribute('position');

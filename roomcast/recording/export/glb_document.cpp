@@ -56,24 +56,33 @@ std::size_t GlbDocument::add_view(std::size_t begin, int target) {
 }
 
 std::size_t GlbDocument::add_list(std::size_t begin, int target, const List& list) {
-  json accessor = {{"bufferView", add_view(begin, target)},
-                   {"componentType", list.component},
-                   {"count", list.count},
-                   {"type", list.type}};
+  const std::size_t view = add_view(begin, target);
+  const std::size_t accessor = add_coded_list(list);
+  root["accessors"][accessor]["bufferView"] = view;
+  return accessor;
+}
+
+std::size_t GlbDocument::add_coded_list(const List& list) {
+  json accessor = {{"componentType", list.component}, {"count", list.count}, {"type", list.type}};
   if (list.normalized) accessor["normalized"] = true;
   root["accessors"].push_back(std::move(accessor));
   return root["accessors"].size() - 1;
 }
 
 std::size_t GlbDocument::add_positions(std::span<const Eigen::Vector3f> points_m) {
-  Eigen::AlignedBox3f box;
   const std::size_t begin = binary.size();
-  for (const auto& point : points_m) {
-    box.extend(point);
-    append_floats(point, binary);
-  }
-  const std::size_t accessor =
-      add_list(begin, kGlbArrayBuffer, {kGlbFloat, points_m.size(), "VEC3"});
+  for (const auto& point : points_m) append_floats(point, binary);
+  const std::size_t view = add_view(begin, kGlbArrayBuffer);
+  const std::size_t accessor = add_coded_positions(points_m, points_m.size());
+  root["accessors"][accessor]["bufferView"] = view;
+  return accessor;
+}
+
+std::size_t GlbDocument::add_coded_positions(std::span<const Eigen::Vector3f> points_m,
+                                             std::size_t count) {
+  Eigen::AlignedBox3f box;
+  for (const auto& point : points_m) box.extend(point);
+  const std::size_t accessor = add_coded_list({kGlbFloat, count, "VEC3"});
   json& entry = root["accessors"][accessor];
   entry["min"] = {box.min().x(), box.min().y(), box.min().z()};
   entry["max"] = {box.max().x(), box.max().y(), box.max().z()};

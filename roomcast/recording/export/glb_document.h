@@ -35,6 +35,10 @@ struct GlbDocument {
   /// Adds a buffer view, as above, and the accessor of the list that it holds.
   std::size_t add_list(std::size_t begin, int target, const List& list);
   std::size_t add_positions(std::span<const Eigen::Vector3f> points_m);
+  /// Adds the accessor of a list whose values an extension of the mesh holds, compressed.
+  std::size_t add_coded_list(const List& list);
+  /// As above, with the box of the points before they were compressed.
+  std::size_t add_coded_positions(std::span<const Eigen::Vector3f> points_m, std::size_t count);
   /// A material that light does not change, with `jpeg` as its texture, or without one.
   std::size_t add_unlit_material(const std::vector<std::uint8_t>& jpeg);
   /// Adds a node of the newest mesh to the scene.

@@ -9,19 +9,17 @@
 #include "roomcast/core/assert.h"
 #include "roomcast/recording/export/glb_document.h"
 #include "roomcast/recording/export/little_endian_bytes.h"
+#include "roomcast/recording/mesh/draco_mesh.h"
+#include "roomcast/recording/mesh/linear_light.h"
 
 namespace roomcast::recording {
 namespace {
 
+constexpr const char* kDracoExtension = "KHR_draco_mesh_compression";
+
 /// 16 bits: at 8, dark colours of linear light would be too far apart.
-std::array<std::uint16_t, 256> linear_levels() {
-  std::array<std::uint16_t, 256> levels{};
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    const double s = static_cast<double>(i) / 255;
-    const double linear = s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-    levels[i] = static_cast<std::uint16_t>(std::lround(65535 * linear));
-  }
-  return levels;
+std::uint16_t level_of_16_bits(float linear) {
+  return static_cast<std::uint16_t>(std::lround(65535 * linear));
 }
 
 std::size_t add_normals(const model::RoomMesh& mesh, GlbDocument& document) {
@@ -36,7 +34,7 @@ std::size_t add_colors(const model::RoomMesh& mesh, GlbDocument& document) {
   const std::size_t begin = document.binary.size();
   for (const Rgb8 color : mesh.colors) {
     for (const std::uint8_t level : {color.r, color.g, color.b})
-      append_u16(linear[level], document.binary);
+      append_u16(level_of_16_bits(linear[level]), document.binary);
     append_u16(0xFFFF, document.binary);  // opaque; also keeps every point on a multiple of 4 bytes
   }
   return document.add_list(begin, kGlbArrayBuffer,
@@ -62,6 +60,31 @@ void append_glb_mesh(const model::RoomMesh& mesh, std::vector<std::uint8_t>& out
   document.root["meshes"].push_back({{"name", "room"}, {"primitives", {primitive}}});
   document.add_node({{"name", "room"}});
   document.append_to(out);
+}
+
+Status append_draco_mesh(const model::RoomMesh& mesh, std::vector<std::uint8_t>& out) {
+  const auto coded = encode_draco(mesh);
+  if (!coded) return coded.error();
+  GlbDocument document;
+  const std::size_t begin = document.binary.size();
+  document.binary.insert(document.binary.end(), coded->bytes.begin(), coded->bytes.end());
+  const std::size_t view = document.add_view(begin, 0);
+  const nlohmann::json extension = {
+      {"bufferView", view},
+      {"attributes", {{"POSITION", kDracoPositions}, {"COLOR_0", kDracoColors}}}};
+  const nlohmann::json primitive = {
+      {"attributes",
+       {{"POSITION", document.add_coded_positions(mesh.points_m, coded->points)},
+        {"COLOR_0", document.add_coded_list({kGlbFloat, coded->points, "VEC3"})}}},
+      {"indices", document.add_coded_list({kGlbUnsignedInt, 3 * coded->triangles, "SCALAR"})},
+      {"material", document.add_unlit_material({})},
+      {"extensions", {{kDracoExtension, extension}}}};
+  document.root["extensionsUsed"].push_back(kDracoExtension);
+  document.root["extensionsRequired"] = {kDracoExtension};
+  document.root["meshes"].push_back({{"name", "room"}, {"primitives", {primitive}}});
+  document.add_node({{"name", "room"}});
+  document.append_to(out);
+  return {};
 }
 
 void append_ply_mesh(const model::RoomMesh& mesh, std::vector<std::uint8_t>& out) {
@@ -107,6 +130,8 @@ std::string_view ending_of(MeshFile file) {
   switch (file) {
     case MeshFile::kGlb:
       return "glb";
+    case MeshFile::kDracoGlb:
+      return "draco.glb";
     case MeshFile::kPly:
       return "ply";
     case MeshFile::kObj:
@@ -115,16 +140,22 @@ std::string_view ending_of(MeshFile file) {
   return "";
 }
 
-void append_mesh(const model::RoomMesh& mesh, MeshFile file, std::vector<std::uint8_t>& out) {
+Status append_mesh(const model::RoomMesh& mesh, MeshFile file, std::vector<std::uint8_t>& out) {
   ROOMCAST_ASSERT(mesh.colors.size() == mesh.points_m.size() && !mesh.triangles.empty());
   switch (file) {
     case MeshFile::kGlb:
-      return append_glb_mesh(mesh, out);
+      append_glb_mesh(mesh, out);
+      break;
+    case MeshFile::kDracoGlb:
+      return append_draco_mesh(mesh, out);
     case MeshFile::kPly:
-      return append_ply_mesh(mesh, out);
+      append_ply_mesh(mesh, out);
+      break;
     case MeshFile::kObj:
-      return append_obj_mesh(mesh, out);
+      append_obj_mesh(mesh, out);
+      break;
   }
+  return {};
 }
 
 }  // namespace roomcast::recording

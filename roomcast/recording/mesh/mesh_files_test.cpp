@@ -22,7 +22,8 @@ model::RoomMesh square() {
 
 std::vector<std::uint8_t> encoded(MeshFile file) {
   std::vector<std::uint8_t> bytes;
-  append_mesh(square(), file, bytes);
+  const Status status = append_mesh(square(), file, bytes);
+  EXPECT_TRUE(status.ok()) << status.error().message;
   return bytes;
 }
 

@@ -39,7 +39,7 @@ class MeshWriter final : public SetWriter {
     for (std::size_t i = 0; i < options_.files.size(); ++i) {
       if (progress_) progress_("writing files", i, options_.files.size());
       bytes.clear();
-      append_mesh(*mesh, options_.files[i], bytes);
+      if (auto status = append_mesh(*mesh, options_.files[i], bytes); !status) return status;
       const std::string name = "room." + std::string(ending_of(options_.files[i]));
       if (auto status = io::write_file(out_ / name, bytes); !status) return status;
     }
