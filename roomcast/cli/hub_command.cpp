@@ -166,9 +166,13 @@ std::unique_ptr<hub::daemon::CertificateWatch> watch_certificate(
 std::shared_ptr<hub::daemon::HubRecorders> make_recorders(
     const hub::HubConfig& config, const std::optional<std::filesystem::path>& data,
     const LogSink& log) {
+  const hub::daemon::Retention retention = {
+      .max_age = std::chrono::days(config.recordings_days),
+      .max_bytes = static_cast<std::uint64_t>(config.recordings_gb) * 1'000'000'000};
   if (!config.recordings.empty())
-    return std::make_shared<hub::daemon::HubRecorders>(config.recordings, log);
-  return data ? std::make_shared<hub::daemon::HubRecorders>(*data / "recordings", log) : nullptr;
+    return std::make_shared<hub::daemon::HubRecorders>(config.recordings, log, retention);
+  return data ? std::make_shared<hub::daemon::HubRecorders>(*data / "recordings", log, retention)
+              : nullptr;
 }
 
 /// The connection to other hubs, if any are configured.

@@ -2,7 +2,7 @@
 // The commands of docs/guides/operation.md, and what programs of different wire versions say to each other.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, utimesSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { createRequire } from 'node:module';
 import { dirname, join, resolve } from 'node:path';
@@ -76,6 +76,31 @@ test('a_hub_that_was_restored_from_a_running_hubs_backup_goes_on', { skip: noSql
   assert.equal((await look(again, '--token', late)).code, 0, 'the secret signed it');
   const { tokens } = await token(join(folder, 'restored'), '--list');
   assert.ok(tokens.length >= 4);
+});
+
+test('recordings_are_deleted_when_they_are_older_than_configured', async (t) => {
+  const folder = scratchFolder(t);
+  const first = await startHub(t);
+  const sensor = new Program(['sensor', '--source', 'sim', '--hub', first.url, '--verbose']);
+  t.after(() => sensor.stop('SIGKILL'));
+  await sensor.prints(/joined/);
+  const recordings = join(folder, 'recordings');
+  mkdirSync(recordings, { mode: 0o700 });
+  const recorded = await run('record', join(recordings, 'new.mcap'), '--hub', first.url, '--seconds', '0.5');
+  assert.equal(recorded.code, 0, recorded.stderr);
+  const before = new Date(Date.now() - 40 * 86_400_000);
+  copyFileSync(join(recordings, 'new.mcap'), join(recordings, 'old.mcap'));
+  writeFileSync(join(recordings, 'foreign.mcap'), 'no recording');
+  for (const name of ['old', 'foreign']) utimesSync(join(recordings, `${name}.mcap`), before, before);
+
+  const config = join(folder, 'roomcast.toml');
+  writeFileSync(config, `recordings = "${recordings}"\n[limits]\nrecordings_days = 30\nrecordings_gb = 1\n`);
+  const hub = await startHub(t, '--config', config, '--verbose');
+  await hub.program.prints(/deleted the recording old/);
+  assert.deepEqual(readdirSync(recordings).sort(), ['foreign.mcap', 'new.mcap']);
+  assert.equal(await hub.program.stop(), 0, 'the hub does not wait for its next look');
+  writeFileSync(config, '[limits]\nrecordings_days = -1\n');
+  assertFailed(await run('hub', '--check', '--config', config), 2, /limits\.recordings_days is 0 to 1000000/);
 });
 
 test('an_older_hub_refuses_the_database_of_a_later_one', { skip: noSqlite }, async (t) => {

@@ -56,6 +56,8 @@ const std::vector<NamedField>& fields() {
       {"limits.ban_within_s", &HubConfig::ban_within_s},
       {"limits.ban_s", &HubConfig::ban_s},
       {"limits.busy_percent", &HubConfig::busy_percent},
+      {"limits.recordings_days", &HubConfig::recordings_days},
+      {"limits.recordings_gb", &HubConfig::recordings_gb},
       {"upstream.hubs", &HubConfig::upstream_hubs},
       {"upstream.token_file", &HubConfig::upstream_token_file},
       {"public_url", &HubConfig::public_url},
@@ -303,7 +305,8 @@ Status check(const HubConfig& config) {
   for (const auto& [name, field] : fields()) {
     const auto* count = std::get_if<std::int64_t HubConfig::*>(&field);
     if (count == nullptr || !name.starts_with("limits.")) continue;
-    const bool may_be_zero = name == "limits.ban_after" || name == "limits.busy_percent";  // off
+    const bool may_be_zero = name == "limits.ban_after" || name == "limits.busy_percent" ||
+                             name.starts_with("limits.recordings_");  // off
     if (config.*(*count) < (may_be_zero ? 0 : 1) || config.*(*count) > 1'000'000) {
       return invalid_argument(std::string(name) + " is " + (may_be_zero ? "0" : "1") +
                               " to 1000000");

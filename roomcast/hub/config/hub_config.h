@@ -41,6 +41,8 @@ struct HubConfig {
   std::int64_t ban_within_s = 60;
   std::int64_t ban_s = 300;
   std::int64_t busy_percent = 75;
+  std::int64_t recordings_days = 0;                            // of each room; 0: no limit
+  std::int64_t recordings_gb = 0;                              // the same, 10^9 bytes
   std::vector<std::string> upstream_hubs;                      // hubs whose rooms this hub relays
   std::string upstream_token_file;                             // file with a token of role hub
   std::string public_url;                                      // the address for clients elsewhere

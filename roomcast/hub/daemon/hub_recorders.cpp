@@ -8,6 +8,7 @@
 
 #include "roomcast/io/numbered_files.h"
 #include "roomcast/io/private_folder.h"
+#include "roomcast/recording/recorder/unix_clock.h"
 
 namespace roomcast::hub::daemon {
 
@@ -15,15 +16,25 @@ namespace {
 
 using hub::RecordingState;
 
+constexpr std::chrono::minutes kBetweenLooks{10};
+constexpr std::chrono::seconds kUntilTheRest{1};  // many files are read a few at a time
+
 }  // namespace
 
-HubRecorders::HubRecorders(std::filesystem::path folder, LogSink log)
+HubRecorders::HubRecorders(std::filesystem::path folder, LogSink log, Retention retention)
     : folder_(std::move(folder)),
+      retention_(retention),
       log_(std::move(log)),
       worker_([this] { orders_.run(); }),
-      kept_(folder_, [this](const std::filesystem::path& file) { return is_running(file); }) {}
+      kept_(folder_, [this](const std::filesystem::path& file) { return is_running(file); }) {
+  if (retention_.any()) boost::asio::post(orders_, [this] { retain(); });
+}
 
 HubRecorders::~HubRecorders() {
+  boost::asio::post(orders_, [this] {
+    ending_ = true;
+    next_look_.cancel();
+  });
   keep_open_.reset();
   worker_.join();
 }
@@ -141,6 +152,36 @@ void HubRecorders::finish(const std::string& room, recording::Recorder& recorder
   status.bytes = recorder.stats().file_bytes;
   status.state = finished ? RecordingState::kOff : RecordingState::kFailed;
   if (!finished) status.problem = finished.error().message;
+  if (retention_.any()) retain_in(std::chrono::seconds(0));
+}
+
+void HubRecorders::retain_in(std::chrono::seconds time) {
+  if (ending_) return;
+  next_look_.expires_after(time);  // replaces the one that was planned
+  next_look_.async_wait([this](boost::system::error_code cancelled) {
+    if (!cancelled) retain();
+  });
+}
+
+void HubRecorders::retain() {
+  // Files are as old as the calendar says; a clock that is read once would not follow it.
+  kept_.retain(retention_, recording::UnixClock().now(),
+               [this](const RecordingFolder::Retained& retained) {
+                 tell_of(retained);
+                 const bool more = retained.unread > 0;
+                 boost::asio::post(orders_, [this, more] {
+                   retain_in(more ? kUntilTheRest : std::chrono::seconds(kBetweenLooks));
+                 });
+               });
+}
+
+void HubRecorders::tell_of(const RecordingFolder::Retained& retained) const {
+  if (!log_) return;
+  for (const AgingRecording& recording : retained.deleted) {
+    log_(LogLevel::kInfo, "deleted the recording " + recording.name + ", which is not kept longer",
+         {{"room", recording.room}});
+  }
+  if (!retained.problem.empty()) log_(LogLevel::kWarning, retained.problem);
 }
 
 }  // namespace roomcast::hub::daemon

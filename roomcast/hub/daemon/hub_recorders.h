@@ -14,6 +14,7 @@
 
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
 
 #include "roomcast/core/log.h"
 #include "roomcast/hub/daemon/hub_aligners.h"
@@ -25,8 +26,9 @@ namespace roomcast::hub::daemon {
 
 class HubRecorders final : public hub::RoomRecordings {
  public:
-  /// Files go into `folder`, which is created when needed.
-  HubRecorders(std::filesystem::path folder, LogSink log);
+  /// Files go into `folder`, which is created when needed. `retention` is looked to at the start,
+  /// every ten minutes, and after each recording.
+  HubRecorders(std::filesystem::path folder, LogSink log, Retention retention = {});
   /// Finishes all recordings.
   ~HubRecorders() override;
 
@@ -55,8 +57,12 @@ class HubRecorders final : public hub::RoomRecordings {
   Result<std::unique_ptr<recording::Recorder>> open_recorder(
       const std::string& room, const std::string& by, const std::filesystem::path& file) const;
   [[nodiscard]] bool is_running(const std::filesystem::path& file) const;
+  void retain();
+  void retain_in(std::chrono::seconds time);
+  void tell_of(const RecordingFolder::Retained& retained) const;
 
   const std::filesystem::path folder_;
+  const Retention retention_;
   const LogSink log_;
   mutable std::mutex mutex_;
   OwnHub hub_;
@@ -65,7 +71,9 @@ class HubRecorders final : public hub::RoomRecordings {
   boost::asio::io_context orders_{1};            // tasks of the worker; at most one per room
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> keep_open_ =
       boost::asio::make_work_guard(orders_);
-  std::jthread worker_;  // uses all of the above
+  boost::asio::steady_timer next_look_{orders_};  // on the worker
+  bool ending_ = false;                           // the same
+  std::jthread worker_;                           // uses all of the above
   RecordingFolder kept_;
 };
 

@@ -170,6 +170,13 @@ void RecordingFolder::remove(RecordingScope scope, std::string name,
                               done = std::move(done)] { done(remove_now(scope, name)); });
 }
 
+void RecordingFolder::retain(Retention retention, nanoseconds now,
+                             std::function<void(Retained)> done) {
+  boost::asio::post(orders_, [this, retention, now, done = std::move(done)] {
+    done(retain_now(retention, now));
+  });
+}
+
 void RecordingFolder::settle() {
   std::promise<void> settled;
   boost::asio::post(orders_, [&settled] { settled.set_value(); });
@@ -326,12 +333,41 @@ Result<std::shared_ptr<const recording::PlayableRecording>> RecordingFolder::pla
 
 Status RecordingFolder::remove_now(const RecordingScope& scope, const std::string& name) {
   if (const auto found = find_finished(scope, name); !found) return found.error();
+  return remove_file(name);
+}
+
+Status RecordingFolder::remove_file(const std::string& name) {
   std::error_code error;
   const bool was_there = std::filesystem::remove(path_of(name), error);
   known_.erase(name);
   std::erase_if(playable_, [&](const Playable& open) { return open.name == name; });
   if (error) return unavailable("the recording cannot be deleted: " + error.message());
   return was_there ? Status() : no_such_recording(name);
+}
+
+RecordingFolder::Retained RecordingFolder::retain_now(const Retention& retention, nanoseconds now) {
+  Retained retained;
+  std::vector<AgingRecording> aging;
+  const auto until = std::chrono::steady_clock::now() + kReadingTime;
+  for (const Found& file : look()) {
+    if (!is_known(file) && std::chrono::steady_clock::now() > until) {
+      ++retained.unread;
+      continue;
+    }
+    aging.push_back({.name = file.name,
+                     .room = read(file).room,
+                     .bytes = file.stamp.bytes,
+                     .ended_at = nanoseconds(file.stamp.changed_ns),
+                     .running = is_running_(path_of(file.name))});
+  }
+  for (AgingRecording& recording : outdated(std::move(aging), retention, now)) {
+    if (auto status = remove_file(recording.name); !status) {
+      retained.problem = status.error().message;
+    } else {
+      retained.deleted.push_back(std::move(recording));
+    }
+  }
+  return retained;
 }
 
 }  // namespace roomcast::hub::daemon

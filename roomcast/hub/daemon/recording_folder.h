@@ -20,6 +20,7 @@
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 
+#include "roomcast/hub/daemon/retention.h"
 #include "roomcast/hub/runtime/kept_recordings.h"
 #include "roomcast/recording/room/recording_part.h"
 
@@ -47,6 +48,14 @@ class RecordingFolder final : public hub::KeptRecordings {
   void remove(hub::RecordingScope scope, std::string name,
               std::function<void(Status)> done) override;
   void settle() override;
+
+  struct Retained {
+    std::vector<AgingRecording> deleted;
+    std::size_t unread = 0;  // files that could not be looked at in time: ask again
+    std::string problem;     // why the disk kept a file; empty: it kept none
+  };
+  /// Deletes what `retention` does not keep. `now`: since 1970-01-01 UTC. `done` on the worker.
+  void retain(Retention retention, nanoseconds now, std::function<void(Retained)> done);
 
  private:
   /// What a change of the file changes.
@@ -88,6 +97,8 @@ class RecordingFolder final : public hub::KeptRecordings {
                                                       hub::WantedPart wanted);
   Result<std::shared_ptr<const recording::PlayableRecording>> playable(const std::string& name);
   Status remove_now(const hub::RecordingScope& scope, const std::string& name);
+  Status remove_file(const std::string& name);
+  Retained retain_now(const Retention& retention, nanoseconds now);
 
   const std::filesystem::path folder_;
   const std::function<bool(const std::filesystem::path&)> is_running_;

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/core/temporary_folder.h"
+#include "roomcast/recording/recorder/unix_clock.h"
 #include "roomcast/recording/room/room_recording_writer.h"
 
 namespace roomcast::hub::daemon {
@@ -73,6 +74,13 @@ class RecordingFolderTest : public testing::Test {
       part.set_value(found ? Result<std::string>(**found) : found.error());
     });
     return part.get_future().get();
+  }
+
+  RecordingFolder::Retained retain(const Retention& retention, nanoseconds now) {
+    std::promise<RecordingFolder::Retained> done;
+    kept_.retain(retention, now,
+                 [&](RecordingFolder::Retained retained) { done.set_value(std::move(retained)); });
+    return done.get_future().get();
   }
 
   TemporaryFolder folder_;
@@ -214,6 +222,34 @@ TEST_F(RecordingFolderTest, lists_no_more_than_the_newest_thousand) {
   EXPECT_EQ(all.recordings.size(), RecordingFolder::kMaxListed);
   EXPECT_EQ(all.left_out, 51u);
   EXPECT_EQ(all.unread, 0u);
+}
+
+TEST_F(RecordingFolderTest, deletes_what_is_not_kept_longer) {
+  for (const char* name : {"old", "running", "new"}) record(name);
+  record("elsewhere", "attic");
+  std::ofstream(file("foreign")) << "no recording";
+  const auto now = std::chrono::file_clock::now();
+  for (const char* name : {"old", "running", "elsewhere", "foreign"})
+    std::filesystem::last_write_time(file(name), now - std::chrono::days(40));
+  running_.insert(file("running"));
+  const nanoseconds unix_now = recording::UnixClock().now();
+  const auto retained = retain({.max_age = std::chrono::days(30)}, unix_now);
+  ASSERT_EQ(retained.deleted.size(), 2u);
+  EXPECT_EQ(retained.unread, 0u);
+  EXPECT_THAT(names(), ElementsAre("new", "running"));
+  EXPECT_FALSE(std::filesystem::exists(file("elsewhere")));
+  EXPECT_TRUE(std::filesystem::exists(file("foreign"))) << "it may be anybody's";
+}
+
+TEST_F(RecordingFolderTest, keeps_a_room_within_its_size) {
+  for (const char* name : {"first", "second"}) record(name);
+  std::filesystem::last_write_time(file("first"),
+                                   std::chrono::file_clock::now() - std::chrono::hours(1));
+  const auto bytes = std::filesystem::file_size(file("second"));
+  const nanoseconds now = recording::UnixClock().now();
+  EXPECT_TRUE(retain({.max_bytes = 3 * bytes}, now).deleted.empty());
+  EXPECT_EQ(retain({.max_bytes = bytes}, now).deleted.size(), 1u);
+  EXPECT_THAT(names(), ElementsAre("second"));
 }
 
 }  // namespace

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/daemon/retention.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace roomcast::hub::daemon {
+namespace {
+
+using std::chrono::days;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr nanoseconds kToday = days(20'000);
+
+AgingRecording recorded(const std::string& name, int days_ago, std::uint64_t bytes,
+                        const std::string& room = "lab") {
+  return {.name = name, .room = room, .bytes = bytes, .ended_at = kToday - days(days_ago)};
+}
+
+std::vector<std::string> names_of(const std::vector<AgingRecording>& recordings) {
+  std::vector<std::string> names;
+  for (const auto& recording : recordings) names.push_back(recording.name);
+  return names;
+}
+
+TEST(Retention, without_limits_all_are_kept) {
+  EXPECT_FALSE(Retention{}.any());
+  EXPECT_THAT(outdated({recorded("a", 9'000, 1ULL << 60)}, {}, kToday), IsEmpty());
+}
+
+TEST(Retention, those_that_are_too_old_are_deleted) {
+  const auto deleted = outdated({recorded("new", 29, 1), recorded("on the day", 30, 1),
+                                 recorded("old", 31, 1)},
+                                {.max_age = days(30)}, kToday);
+  EXPECT_THAT(names_of(deleted), ElementsAre("old", "on the day"));
+}
+
+TEST(Retention, the_oldest_are_deleted_until_a_room_has_no_more_than_it_may) {
+  const auto deleted = outdated({recorded("3", 3, 40), recorded("1", 1, 40), recorded("2", 2, 40),
+                                 recorded("other room", 9, 90, "attic")},
+                                {.max_bytes = 90}, kToday);
+  EXPECT_THAT(names_of(deleted), ElementsAre("3"));
+}
+
+TEST(Retention, both_limits_count_together) {
+  const auto deleted = outdated({recorded("a", 40, 60), recorded("b", 2, 60), recorded("c", 1, 30)},
+                                {.max_age = days(30), .max_bytes = 90}, kToday);
+  EXPECT_THAT(names_of(deleted), ElementsAre("a")) << "the rest is within the limit then";
+}
+
+TEST(Retention, a_recording_that_runs_counts_and_is_kept) {
+  AgingRecording running = recorded("running", 0, 100);
+  running.running = true;
+  const auto deleted =
+      outdated({running, recorded("a", 1, 10)}, {.max_bytes = 50}, kToday);
+  EXPECT_THAT(names_of(deleted), ElementsAre("a"));
+}
+
+TEST(Retention, files_that_name_no_room_are_kept) {
+  EXPECT_THAT(outdated({recorded("foreign", 900, 1ULL << 40, "")},
+                       {.max_age = days(1), .max_bytes = 1}, kToday),
+              IsEmpty());
+}
+
+}  // namespace
+}  // namespace roomcast::hub::daemon
