@@ -49,6 +49,7 @@ std::string layout() {
   out << ROOMCAST_FIELD(roomcast_sensor, depth_mm);
   out << ROOMCAST_FIELD(roomcast_sensor, color_rgb);
   out << ROOMCAST_FIELD(roomcast_sensor, color_seen);
+  out << ROOMCAST_FIELD(roomcast_sensor, capture_utc_ns);
   out << ROOMCAST_SIZE(roomcast_point);
   out << ROOMCAST_FIELD(roomcast_point, x);
   out << ROOMCAST_FIELD(roomcast_point, y);

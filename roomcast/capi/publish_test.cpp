@@ -161,6 +161,8 @@ TEST(PublishingSensor, its_depth_arrives_bit_for_bit_with_colour_pose_and_time) 
   EXPECT_TRUE(std::equal(described.pose.begin(), described.pose.end(), seen.world_from_depth));
   EXPECT_LE(seen.seq, sent.seq);
   EXPECT_LT(std::abs(seen.capture_ns - roomcast_host_time_ns()), 10'000'000'000);
+  const nanoseconds now = std::chrono::system_clock::now().time_since_epoch();
+  EXPECT_LT(std::abs(now.count() - seen.capture_utc_ns), 10'000'000'000);
   ASSERT_NE(seen.color_rgb, nullptr);
   std::size_t red = 0, valid = 0;
   for (std::size_t i = 0; i < depth.size(); ++i) {

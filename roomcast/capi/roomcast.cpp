@@ -16,6 +16,7 @@
 #include "roomcast/capi/room_points.h"
 #include "roomcast/client/subscriber.h"
 #include "roomcast/recording/recorder/recorder.h"
+#include "roomcast/recording/recorder/unix_clock.h"
 
 struct roomcast_viewer {
   std::unique_ptr<roomcast::client::Subscriber> subscriber;
@@ -23,11 +24,13 @@ struct roomcast_viewer {
   roomcast::SetId last_set{};
   std::uint64_t last_revision = 0;
   roomcast::capi::SensorRays rays;
+  const roomcast::recording::UnixClock unix_clock;
 };
 
 struct roomcast_frames {
   std::shared_ptr<const roomcast::client::RoomSnapshot> room;  // `sensors` points into it
   std::vector<roomcast::capi::ReceivedSensor> sensors;
+  roomcast::recording::UnixClock unix_clock;  // the viewer's
 };
 
 struct roomcast_recorder {
@@ -44,7 +47,13 @@ using capi::known_part;
 using capi::say;
 using capi::text;
 
-roomcast_sensor describe(const capi::ReceivedSensor& received) {
+nanoseconds unix_time(const roomcast_frames& frames, const client::SensorPicture& picture) {
+  const auto& clock = frames.room->clock;
+  return clock ? frames.unix_clock.at(picture.capture_time, *clock)
+               : frames.unix_clock.at(picture.received);
+}
+
+roomcast_sensor describe(const roomcast_frames& frames, const capi::ReceivedSensor& received) {
   const client::RoomSensor& sensor = *received.sensor;
   const codec::DecodedFrame& frame = *received.frame;
   const CameraIntrinsics& camera = sensor.calibration.depth;
@@ -66,6 +75,7 @@ roomcast_sensor describe(const capi::ReceivedSensor& received) {
   out.placed = sensor.pose.is_placed() ? 1 : 0;
   out.seq = sensor.picture->seq;
   out.capture_ns = sensor.picture->capture_time.time_since_epoch().count();
+  out.capture_utc_ns = unix_time(frames, *sensor.picture).count();
   out.depth_mm = frame.depth_mm.data();
   if (!frame.color.empty()) {
     out.color_rgb = &frame.color.data()->r;
@@ -125,6 +135,7 @@ roomcast_frames* new_frames(roomcast_viewer& viewer,
   if (!(room->newest_set > viewer.last_set)) return nullptr;
   viewer.last_set = room->newest_set;
   auto frames = std::make_unique<roomcast_frames>();
+  frames->unix_clock = viewer.unix_clock;
   frames->room = room;
   frames->sensors = capi::received_sensors(*room, viewer.rays);
   return frames.release();
@@ -203,7 +214,7 @@ size_t roomcast_room_sensor_count(const roomcast_frames* frames) {
 
 int roomcast_get_sensor(const roomcast_frames* frames, size_t number, roomcast_sensor* sensor) {
   if (number >= frames->sensors.size()) return 0;
-  copy_known_part(describe(frames->sensors[number]), *sensor);
+  copy_known_part(describe(*frames, frames->sensors[number]), *sensor);
   return 1;
 }
 

@@ -65,6 +65,8 @@ typedef struct roomcast_sensor {
   const uint16_t* depth_mm;  /* width * height */
   const uint8_t* color_rgb;  /* width * height * 3; NULL: no colour */
   const uint8_t* color_seen; /* width * height; 0: colour not measured; NULL: no colour */
+  int64_t capture_utc_ns;    /* capture time since 1970-01-01 UTC by this machine's clock as it was
+                                when the viewer connected. Since 1.4.0 */
 } roomcast_sensor;
 
 /* A coloured point in the world frame. */

@@ -105,7 +105,8 @@ test('depth_and_calibration_arrive_unchanged_and_others_see_the_head', { skip },
   const file = join(scratchFolder(t), 'depth');
   const { code, stdout, stderr } = await mono(checks(), 'depth', hub.url, file);
   assert.equal(code, 0, stderr);
-  const [about, pose] = stdout.trim().split('\n');
+  const [about, pose, captured_ms] = stdout.trim().split('\n');
+  assert.ok(Math.abs(Date.now() - captured_ms) < 20_000, `${captured_ms} is not UTC`);
   assert.equal(about, `s0 64 48 60 23.5 True False ${64 * 48} 255`);
   assert.deepEqual(pose.split(' ').map(Number), [1, 0, 0, 0, 0, -1, 0, 1.5, 0, 0, -1, 2, 0, 0, 0, 1]);
   const depth = new Uint16Array(Uint8Array.from(readFileSync(file)).buffer);

@@ -30,9 +30,9 @@ TEST(Retention, without_limits_all_are_kept) {
 }
 
 TEST(Retention, those_that_are_too_old_are_deleted) {
-  const auto deleted = outdated({recorded("new", 29, 1), recorded("on the day", 30, 1),
-                                 recorded("old", 31, 1)},
-                                {.max_age = days(30)}, kToday);
+  const auto deleted =
+      outdated({recorded("new", 29, 1), recorded("on the day", 30, 1), recorded("old", 31, 1)},
+               {.max_age = days(30)}, kToday);
   EXPECT_THAT(names_of(deleted), ElementsAre("old", "on the day"));
 }
 
@@ -52,8 +52,7 @@ TEST(Retention, both_limits_count_together) {
 TEST(Retention, a_recording_that_runs_counts_and_is_kept) {
   AgingRecording running = recorded("running", 0, 100);
   running.running = true;
-  const auto deleted =
-      outdated({running, recorded("a", 1, 10)}, {.max_bytes = 50}, kToday);
+  const auto deleted = outdated({running, recorded("a", 1, 10)}, {.max_bytes = 50}, kToday);
   EXPECT_THAT(names_of(deleted), ElementsAre("a"));
 }
 

@@ -45,9 +45,7 @@ LiveSet LiveSets::set_of(const client::RoomSnapshot& room) {
 
 nanoseconds LiveSets::unix_time(const client::RoomSnapshot& room,
                                 const client::SensorPicture& picture) const {
-  if (!room.clock) return clock_.at(picture.received);
-  const HostTime about(picture.capture_time.time_since_epoch() - room.clock->room_minus_host);
-  return clock_.at(about - room.clock->drifted(about - room.clock->at));
+  return room.clock ? clock_.at(picture.capture_time, *room.clock) : clock_.at(picture.received);
 }
 
 }  // namespace roomcast::recording

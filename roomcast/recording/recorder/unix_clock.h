@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "roomcast/client/room/clock_estimate.h"
 #include "roomcast/core/clock.h"
 
 namespace roomcast::recording {
@@ -14,6 +15,11 @@ class UnixClock {
   /// Time since 1970-01-01 00:00 UTC.
   [[nodiscard]] nanoseconds at(HostTime host) const {
     return host.time_since_epoch() + unix_minus_host_;
+  }
+  /// The same of a time of a room, as well as its clock is known.
+  [[nodiscard]] nanoseconds at(RoomTime room, const client::ClockEstimate& clock) const {
+    const HostTime about(room.time_since_epoch() - clock.room_minus_host);
+    return at(about - clock.drifted(about - clock.at));
   }
   [[nodiscard]] nanoseconds now() const { return at(SteadyClock().now()); }
 

@@ -75,6 +75,7 @@ static class Checks
             Point[] points = frames.GetPoints();
             Console.WriteLine(string.Join(" ", sensor.Name, sensor.Width, sensor.Height, sensor.Fx, sensor.Cy, sensor.Placed, sensor.HasColor, points.Length, points[0].A));
             Console.WriteLine(string.Join(" ", sensor.WorldFromDepth));
+            Console.WriteLine(sensor.CaptureUtcNs / 1000000);
         }
         return 0;
     }

@@ -77,6 +77,8 @@ namespace Roomcast
         public uint Seq { get { return native.seq; } }
         /// On the room's clock.
         public long CaptureNs { get { return native.capture_ns; } }
+        /// Since 1970-01-01 UTC, by this computer's clock. 0: the library is older than 1.4.
+        public long CaptureUtcNs { get { return native.capture_utc_ns; } }
         public bool HasColor { get { return native.color_rgb != IntPtr.Zero; } }
 
         /// The pictures without a copy: Width * Height numbers of 2, 3 and 1 bytes; zero: there is none. Valid until Frames is

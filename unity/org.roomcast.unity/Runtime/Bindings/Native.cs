@@ -32,6 +32,7 @@ namespace Roomcast
             public uint seq;
             public long capture_ns;
             public IntPtr depth_mm, color_rgb, color_seen;
+            public long capture_utc_ns;
         }
 
         [StructLayout(LayoutKind.Sequential)]
