@@ -121,8 +121,11 @@ Result<ModelRow> measure(const fs::path& rig, const ModelBenchOptions& options,
   if (!volume) return volume.error();
   model::RoomMesh mesh = model::mesh_volume(*volume);
   model::remove_small_parts(options.model.min_triangles, mesh);
-  model::color_mesh(surfaces, options.model, {}, mesh);
+  const auto shared = model::shared_colors(surfaces, options.model, {}, mesh);
+  const auto gains = model::color_gains(shared, surfaces.size());
+  model::color_mesh(surfaces, gains, options.model, {}, mesh);
   row.fuse_cpu_s = 0.001 * (process_cpu_ms() - before_ms);
+  row.colors = color_steps(shared, surfaces.size());
   row.volume_bytes = volume->bytes();
   if (auto status = compress(options.compressed, mesh, row); !status) return status.error();
   row.points = mesh.points_m.size();

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/model/color_step.h"
 #include "bench/model/model_score.h"
 #include "roomcast/core/result.h"
 #include "roomcast/model/model_options.h"
@@ -31,8 +32,9 @@ struct ModelRow {
   ScoreFigures free;     // from places without a sensor
   std::size_t volume_bytes = 0, points = 0, triangles = 0;
   std::size_t file_bytes = 0;  // of room.draco.glb, without its few of JSON
-  double frame_cpu_ms = 0;     // to gather a frame, without reading it
-  double fuse_cpu_s = 0;       // volume, mesh and colours, all threads
+  ColorSteps colors;
+  double frame_cpu_ms = 0;  // to gather a frame, without reading it
+  double fuse_cpu_s = 0;    // volume, mesh and colours, all threads
 };
 
 /// kNotFound: a rig has no truth. Errors of the files and of fuse_views.

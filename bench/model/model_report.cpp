@@ -15,6 +15,10 @@ nlohmann::json json_of(const ScoreFigures& score) {
           {"floating", score.floating},   {"pixels", score.pixels}};
 }
 
+nlohmann::json json_of(const ColorStep& step) {
+  return {{"mean", step.mean}, {"largest", step.largest}};
+}
+
 std::string text_of(const ScoreFigures& score) {
   if (score.pixels == 0) return "-";
   return fmt::format("{:.1f} / {:.1f} mm, {:.1f} %, {:.2f} %", score.median_mm, score.p90_mm,
@@ -35,6 +39,13 @@ void print_table(const std::vector<ModelRow>& rows, std::ostream& out) {
         1e-6 * static_cast<double>(row.volume_bytes), row.triangles,
         1e-6 * static_cast<double>(row.file_bytes), row.frame_cpu_ms, row.fuse_cpu_s);
   }
+  for (const ModelRow& row : rows) {
+    out << fmt::format(
+        "{:<14} colour steps between views, mean and largest of {} pairs: {:.1f}, {:.1f} levels; "
+        "with gains {:.1f}, {:.1f}\n",
+        row.rig, row.colors.pairs, row.colors.before.mean, row.colors.before.largest,
+        row.colors.after.mean, row.colors.after.largest);
+  }
 }
 
 void print_json(const std::vector<ModelRow>& rows, std::ostream& out) {
@@ -49,6 +60,9 @@ void print_json(const std::vector<ModelRow>& rows, std::ostream& out) {
                     {"points", row.points},
                     {"triangles", row.triangles},
                     {"file_bytes", row.file_bytes},
+                    {"color_step_pairs", row.colors.pairs},
+                    {"color_step", json_of(row.colors.before)},
+                    {"color_step_with_gains", json_of(row.colors.after)},
                     {"frame_cpu_ms", row.frame_cpu_ms},
                     {"fuse_cpu_s", row.fuse_cpu_s}});
   }

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "roomcast/core/assert.h"
 #include "roomcast/model/cube_cases.h"
 
 namespace roomcast::model {
 namespace {
 
 constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
-constexpr Rgb8 kNoColor = {128, 128, 128};
 
 /// An edge of the whole room's grid, and the point on it.
 struct EdgePoint {
@@ -101,15 +101,15 @@ void drop_degenerate(RoomMesh& mesh) {
                 [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
 }
 
-Rgb8 mixed_color(std::span<const ViewSurface> views, const Eigen::Vector3f& at_m,
-                 float tolerance_m) {
+Rgb8 mixed_color(std::span<const ViewSurface> views, std::span<const Eigen::Vector3f> gains,
+                 const Eigen::Vector3f& at_m, float tolerance_m) {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   float weights = 0;
-  for (const ViewSurface& view : views) {
-    const auto colored = view.color(at_m, tolerance_m);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const auto colored = views[i].color(at_m, tolerance_m);
     if (!colored) continue;
     const float square = colored->quality * colored->quality, weight = square * square;
-    sum += weight * colored->color;
+    sum += weight * colored->color.cwiseProduct(gains[i]);
     weights += weight;
   }
   if (!(weights > 0)) return kNoColor;
@@ -132,8 +132,9 @@ RoomMesh mesh_volume(const RoomVolume& volume) {
   return mesh;
 }
 
-void color_mesh(std::span<const ViewSurface> views, const ModelOptions& options,
-                const Workers& workers, RoomMesh& mesh) {
+void color_mesh(std::span<const ViewSurface> views, std::span<const Eigen::Vector3f> gains,
+                const ModelOptions& options, const Workers& workers, RoomMesh& mesh) {
+  ROOMCAST_ASSERT(gains.size() == views.size());
   mesh.colors.assign(mesh.points_m.size(), kNoColor);
   const float tolerance_m = options.truncation_voxels * options.voxel_m;
   constexpr std::size_t kAtATime = 4096;
@@ -142,7 +143,7 @@ void color_mesh(std::span<const ViewSurface> views, const ModelOptions& options,
     const std::size_t begin = static_cast<std::size_t>(row) * kAtATime;
     const std::size_t end = std::min(begin + kAtATime, mesh.points_m.size());
     for (std::size_t i = begin; i < end; ++i)
-      mesh.colors[i] = mixed_color(views, mesh.points_m[i], tolerance_m);
+      mesh.colors[i] = mixed_color(views, gains, mesh.points_m[i], tolerance_m);
   });
 }
 

@@ -16,8 +16,10 @@ namespace roomcast::model {
 [[nodiscard]] RoomMesh mesh_volume(const RoomVolume& volume);
 
 /// Colours every point by the views in which it is visible, nearly only by those that see it from
-/// nearby and from the front; grey where no view has its colour.
-void color_mesh(std::span<const ViewSurface> views, const ModelOptions& options,
-                const Workers& workers, RoomMesh& mesh);
+/// nearby and from the front; kNoColor where no view has its colour. `gains`: of each view
+/// (color_gains.h).
+inline constexpr Rgb8 kNoColor{128, 128, 128};
+void color_mesh(std::span<const ViewSurface> views, std::span<const Eigen::Vector3f> gains,
+                const ModelOptions& options, const Workers& workers, RoomMesh& mesh);
 
 }  // namespace roomcast::model

@@ -88,10 +88,14 @@ TEST(VolumeMesh, ends_a_voxel_after_the_outline_of_a_thing) {
   }
 }
 
+std::vector<Eigen::Vector3f> no_gains(const std::vector<ViewSurface>& views) {
+  return std::vector<Eigen::Vector3f>(views.size(), Eigen::Vector3f::Ones());
+}
+
 TEST(VolumeMesh, colors_are_those_that_the_views_see) {
   const auto views = look_from_all(known_scene);
   RoomMesh mesh = mesh_volume(*fuse_views(views, {}));
-  color_mesh(views, {}, {}, mesh);
+  color_mesh(views, no_gains(views), {}, {}, mesh);
   ASSERT_EQ(mesh.colors.size(), mesh.points_m.size());
   std::size_t right = 0;
   for (const Rgb8 color : mesh.colors) right += color == Rgb8{200, 100, 50};
@@ -103,7 +107,7 @@ TEST(VolumeMesh, without_colors_everything_is_grey) {
   view.add(look(fixture_camera(), fixture_poses()[0], known_scene), {}, {});
   const std::vector<ViewSurface> views = {ViewSurface(view, {})};
   RoomMesh mesh = mesh_volume(*fuse_views(views, {}));
-  color_mesh(views, {}, {}, mesh);
+  color_mesh(views, no_gains(views), {}, {}, mesh);
   for (const Rgb8 color : mesh.colors) ASSERT_EQ(color, (Rgb8{128, 128, 128}));
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kColorBits = 9;  // of linear light: with 8, dark colours would be too far apart
 constexpr int kMaxPositionBits = 20;
-constexpr int kSpeed = 0;       // 0: smallest, 10: fastest
+constexpr int kSpeed = 0;  // 0: smallest, 10: fastest
 
 /// So many that the grid is as fine as kDracoStep_m.
 int position_bits(const model::RoomMesh& mesh) {
@@ -102,8 +102,7 @@ Result<model::RoomMesh> decode_draco(std::span<const std::uint8_t> bytes) {
   auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
   if (!decoded.ok()) return damaged();
   const std::unique_ptr<draco::Mesh> coded = std::move(decoded).value();
-  const draco::PointAttribute* const positions =
-      coded->GetAttributeByUniqueId(kDracoPositions);
+  const draco::PointAttribute* const positions = coded->GetAttributeByUniqueId(kDracoPositions);
   const draco::PointAttribute* const colors = coded->GetAttributeByUniqueId(kDracoColors);
   if (positions == nullptr || colors == nullptr) return damaged();
   model::RoomMesh mesh;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mesh of a room in few bytes, by Google's Draco: points on a fine grid, colours in linear light
-// as glTF has them, no normals. Thread-safe (no state).
-// Sources: the Draco library; KHR_draco_mesh_compression of glTF.
+// The mesh of a room in few bytes, by Google's Draco: points on a fine grid, colours in linear
+// light as glTF has them, no normals. Thread-safe (no state). Sources: the Draco library;
+// KHR_draco_mesh_compression of glTF.
 #pragma once
 
 #include <cstddef>
@@ -21,11 +21,12 @@ inline constexpr int kDracoPositions = 0, kDracoColors = 1;
 
 struct DracoMesh {
   std::vector<std::uint8_t> bytes;
-  std::size_t points = 0, triangles = 0;  // of the coded mesh: triangles without an area are left out
+  std::size_t points = 0,
+              triangles = 0;  // of the coded mesh: triangles without an area are left out
 };
 
-/// `mesh` has colours and at least one triangle. kInvalidArgument: it is too wide for the grid, or no
-/// triangle has an area.
+/// `mesh` has colours and at least one triangle. kInvalidArgument: it is too wide for the grid, or
+/// no triangle has an area.
 [[nodiscard]] Result<DracoMesh> encode_draco(const model::RoomMesh& mesh);
 
 /// The mesh in `bytes`, its points in another order. kMalformed: not of encode_draco.

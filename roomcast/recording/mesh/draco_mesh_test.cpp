@@ -50,7 +50,8 @@ TEST(DracoMesh, points_move_by_less_than_a_step_and_colors_by_little) {
     ASSERT_LT(same, mesh.points_m.size());
     EXPECT_LT((at - mesh.points_m[same]).norm(), kDracoStep_m);
     const Rgb8 is = back->colors[i], was = mesh.colors[same];
-    EXPECT_LE(std::max({std::abs(is.r - was.r), std::abs(is.g - was.g), std::abs(is.b - was.b)}), 3);
+    EXPECT_LE(std::max({std::abs(is.r - was.r), std::abs(is.g - was.g), std::abs(is.b - was.b)}),
+              3);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "roomcast/io/file_bytes.h"
+#include "roomcast/model/color_gains.h"
 #include "roomcast/model/volume_mesh.h"
 
 namespace roomcast::recording {
@@ -86,7 +87,9 @@ Result<model::RoomMesh> mesh_room(RoomViews& views, const MeshWriterOptions& opt
     return Error{ErrorCode::kNotFound,
                  "this recording shows no surface that stands still; choose another part of it, or "
                  "another --crop"};
-  model::color_mesh(surfaces, options.model, workers, mesh);
+  const auto shared = model::shared_colors(surfaces, options.model, workers, mesh);
+  const auto gains = model::color_gains(shared, surfaces.size());
+  model::color_mesh(surfaces, gains, options.model, workers, mesh);
   if (stop.stop_requested()) return Error{ErrorCode::kClosed, "interrupted"};
   return mesh;
 }
