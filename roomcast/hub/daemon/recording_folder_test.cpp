@@ -165,8 +165,11 @@ TEST_F(RecordingFolderTest, renames_but_replaces_nothing) {
 
 TEST_F(RecordingFolderTest, refuses_names_that_leave_the_folder_or_cannot_be_typed) {
   record("one");
-  for (const std::string name : {"../two", "a/b", ".two", "", " two", "two ", "a\nb", "\xff",
-                                 std::string(RecordingFolder::kMaxNameBytes + 1, 'x').c_str()})
+  const std::vector<std::string> refused = {
+      "../two", "a/b",  ".two",
+      "",       " two", "two ",
+      "a\nb",   "\xff", std::string(RecordingFolder::kMaxNameBytes + 1, 'x')};
+  for (const std::string& name : refused)
     EXPECT_EQ(rename("one", name).error().code, ErrorCode::kInvalidArgument) << name;
   EXPECT_THAT(names(), ElementsAre("one"));
 }
