@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The step of colour that is seen where the views of two sensors meet on one surface, without and
-// with color_gains. The gains are found in one half of the room, and the steps in the other: cubes of
-// half a metre in turns. Levels, 0 to 255.
+// with color_gains. The gains are found in one half of the room, and the steps in the other: cubes
+// of half a metre in turns. Levels, 0 to 255.
 #pragma once
 
 #include <cstddef>

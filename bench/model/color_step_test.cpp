@@ -34,7 +34,8 @@ TEST(ColorStep, stays_where_half_of_the_room_is_lit_otherwise) {
   for (model::SharedColor& place : shared)
     if (((place.at_m / 0.5F).array().floor().cast<int>().sum() & 1) != 0)
       place.color_b = place.color_a;
-  EXPECT_GT(color_steps(shared, 2).after.largest, 10) << "gains of one half are judged in the other";
+  EXPECT_GT(color_steps(shared, 2).after.largest, 10)
+      << "gains of one half are judged in the other";
 }
 
 TEST(ColorStep, there_is_none_without_shared_places) {

@@ -2,26 +2,24 @@
 #include "roomcast/model/color_gains.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <utility>
 
-#include <Eigen/Dense>
+#include "roomcast/geometry/color_balance.h"
 
 namespace roomcast::model {
 namespace {
 
 constexpr std::size_t kMaxPoints = 60'000;
-constexpr float kMinQualityShare = 0.2F;                // of the better of two views
-constexpr float kDarkest = 16, kBrightest = 240;        // levels beyond are clipped, or noise
-constexpr std::size_t kMinShared = 200;                 // of a pair of views
-constexpr double kPrior = 1e-3;                         // of a gain of 1, beside all that is shared
+constexpr float kMinQualityShare = 0.2F;          // of the better of two views
+constexpr float kDarkest = 16, kBrightest = 240;  // levels beyond are clipped, or noise
+constexpr std::size_t kMinShared = 200;           // of a pair of views
+constexpr double kPrior = 1e-3;                   // of a gain of 1, beside all that is shared
 
-using Pair = std::pair<std::size_t, std::size_t>;
-
-bool is_exposed(float level) {
-  return level >= kDarkest && level <= kBrightest;
+bool is_exposed(const Eigen::Vector3f& color) {
+  return color.minCoeff() >= kDarkest && color.maxCoeff() <= kBrightest;
 }
 
 void add_shared(std::span<const ViewSurface> views, const Eigen::Vector3f& at_m, float tolerance_m,
@@ -43,50 +41,31 @@ void add_shared(std::span<const ViewSurface> views, const Eigen::Vector3f& at_m,
   }
 }
 
-/// How much brighter a is than b, in a channel; as a logarithm.
-struct Ratio {
-  Pair views;
-  double log_ratio = 0;
-  std::size_t count = 0;
-};
-
-std::vector<Ratio> ratios(std::span<const SharedColor> shared, int channel) {
-  std::map<Pair, std::vector<double>> of_pair;
-  for (const SharedColor& place : shared) {
-    const float a = place.color_a[channel], b = place.color_b[channel];
-    if (is_exposed(a) && is_exposed(b))
-      of_pair[{place.view_a, place.view_b}].push_back(std::log(static_cast<double>(a / b)));
-  }
-  std::vector<Ratio> ratios;
-  for (auto& [pair, values] : of_pair) {
-    if (values.size() < kMinShared) continue;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    ratios.push_back({pair, *middle, values.size()});
-  }
-  return ratios;
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
 }
 
-/// Least squares: log_gain(a) + log_ratio = log_gain(b), weighted by what is shared.
-Eigen::VectorXd log_gains(const std::vector<Ratio>& ratios, std::size_t view_count) {
-  const auto n = static_cast<Eigen::Index>(view_count);
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
-  double total = 0;
-  for (const Ratio& ratio : ratios) {
-    const auto a = static_cast<Eigen::Index>(ratio.views.first);
-    const auto b = static_cast<Eigen::Index>(ratio.views.second);
-    const auto weight = static_cast<double>(ratio.count);
-    normal(a, a) += weight;
-    normal(b, b) += weight;
-    normal(a, b) -= weight;
-    normal(b, a) -= weight;
-    right(a) -= weight * ratio.log_ratio;
-    right(b) += weight * ratio.log_ratio;
-    total += weight;
+/// The median of each pair of views that share enough.
+std::vector<ColorRatio> ratios_of_pairs(std::span<const SharedColor> shared) {
+  std::map<std::pair<std::size_t, std::size_t>, std::array<std::vector<double>, 3>> of_pair;
+  for (const SharedColor& place : shared) {
+    if (!is_exposed(place.color_a) || !is_exposed(place.color_b)) continue;
+    auto& logs = of_pair[{place.view_a, place.view_b}];
+    for (int c = 0; c < 3; ++c)
+      logs[static_cast<std::size_t>(c)].push_back(
+          std::log(static_cast<double>(place.color_b[c] / place.color_a[c])));
   }
-  normal.diagonal().array() += kPrior * std::max(total, 1.0);
-  return normal.ldlt().solve(right);
+  std::vector<ColorRatio> ratios;
+  for (auto& [pair, logs] : of_pair) {
+    if (logs[0].size() < kMinShared) continue;
+    ratios.push_back({pair.first,
+                      pair.second,
+                      static_cast<double>(logs[0].size()),
+                      {median(logs[0]), median(logs[1]), median(logs[2])}});
+  }
+  return ratios;
 }
 
 }  // namespace
@@ -112,15 +91,14 @@ std::vector<SharedColor> shared_colors(std::span<const ViewSurface> views,
 
 std::vector<Eigen::Vector3f> color_gains(std::span<const SharedColor> shared,
                                          std::size_t view_count) {
-  std::vector<Eigen::Vector3f> gains(view_count, Eigen::Vector3f::Ones());
-  for (int channel = 0; channel < 3; ++channel) {
-    const auto of_channel = ratios(shared, channel);
-    if (of_channel.empty()) continue;
-    const Eigen::VectorXd logs = log_gains(of_channel, view_count);
-    for (std::size_t i = 0; i < view_count; ++i) {
-      const double gain = std::exp(logs[static_cast<Eigen::Index>(i)]);
-      gains[i][channel] = std::clamp(static_cast<float>(gain), kMinGain, kMaxGain);
-    }
+  const auto ratios = ratios_of_pairs(shared);
+  double places = 1;
+  for (const ColorRatio& ratio : ratios) places += ratio.places;
+  const Eigen::MatrixXd logs = log_gains(ratios, view_count, kPrior * places);
+  std::vector<Eigen::Vector3f> gains;
+  for (Eigen::Index i = 0; i < logs.rows(); ++i) {
+    const Eigen::Vector3f gain = logs.row(i).transpose().array().exp().matrix().cast<float>();
+    gains.push_back(gain.cwiseMax(kMinGain).cwiseMin(kMaxGain));
   }
   return gains;
 }

@@ -3,7 +3,7 @@
 // that two of them see in two colours. Each view gets a factor for each channel, so that the
 // surfaces it shares with others look the same in all; their mean stays as it is. Robust against
 // surfaces that shine, and against clipped colours. Thread-safe (no state).
-// Source: gain compensation of panoramas (Brown and Lowe 2007), with medians of logarithms.
+// Source: geometry/color_balance.h, over the medians of pairs of views.
 #pragma once
 
 #include <cstddef>

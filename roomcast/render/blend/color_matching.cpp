@@ -6,8 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
-
-#include "roomcast/geometry/dense_solvers.h"
+#include <vector>
 
 namespace roomcast::render {
 namespace {
@@ -59,8 +58,8 @@ void ColorMatching::forget(SensorId sensor) {
   pictures_.erase(sensor);
 }
 
-std::optional<ColorMatching::PairRatio> ColorMatching::compare(const Picture& a, const Picture& b,
-                                                               const RigidTransform& b_from_a) {
+std::optional<ColorRatio> ColorMatching::compare(const Picture& a, const Picture& b,
+                                                 const RigidTransform& b_from_a) {
   std::array<std::vector<double>, 3> logs;
   for (int y = 0; y < a.lens.height; y += kGridStep) {
     for (int x = 0; x < a.lens.width; x += kGridStep) {
@@ -84,7 +83,7 @@ std::optional<ColorMatching::PairRatio> ColorMatching::compare(const Picture& a,
     }
   }
   if (logs[0].size() < kEnoughPlaces) return std::nullopt;
-  PairRatio ratio;
+  ColorRatio ratio;
   ratio.places = static_cast<double>(logs[0].size());
   ratio.log_b_over_a = {median(logs[0]), median(logs[1]), median(logs[2])};
   return ratio;
@@ -96,31 +95,25 @@ void ColorMatching::update(const std::map<SensorId, RigidTransform>& world_from_
   for (auto& [id, picture] : pictures_) {
     if (world_from_depth.contains(id)) known.emplace_back(id, &picture);
   }
-  const auto count = static_cast<Eigen::Index>(known.size());
-  Eigen::MatrixXd normal = kPriorPlaces * Eigen::MatrixXd::Identity(count, count);
-  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, 3);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    for (Eigen::Index j = 0; j < count; ++j) {
-      if (i == j) continue;
-      const auto& [id_a, a] = known[static_cast<std::size_t>(i)];
-      const auto& [id_b, b] = known[static_cast<std::size_t>(j)];
-      const auto ratio =
-          compare(*a, *b, world_from_depth.at(id_b).inverse() * world_from_depth.at(id_a));
+  std::vector<ColorRatio> ratios;
+  for (std::size_t a = 0; a < known.size(); ++a) {
+    for (std::size_t b = 0; b < known.size(); ++b) {
+      if (a == b) continue;
+      auto ratio = compare(
+          *known[a].second, *known[b].second,
+          world_from_depth.at(known[b].first).inverse() * world_from_depth.at(known[a].first));
       if (!ratio) continue;
-      // Equation: gain_a * a = gain_b * b.
-      normal(i, i) += ratio->places;
-      normal(j, j) += ratio->places;
-      normal(i, j) -= ratio->places;
-      normal(j, i) -= ratio->places;
-      right.row(i) += ratio->places * ratio->log_b_over_a.transpose();
-      right.row(j) -= ratio->places * ratio->log_b_over_a.transpose();
+      ratio->a = a;
+      ratio->b = b;
+      ratios.push_back(*ratio);
     }
   }
   const Eigen::MatrixXd logs =
-      solve_symmetric(normal, right).cwiseMax(-kLargestLog).cwiseMin(kLargestLog);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    Eigen::Vector3f& log_gain = known[static_cast<std::size_t>(i)].second->log_gain;
-    log_gain += kFollow * (logs.row(i).transpose().cast<float>() - log_gain);
+      log_gains(ratios, known.size(), kPriorPlaces).cwiseMax(-kLargestLog).cwiseMin(kLargestLog);
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    Eigen::Vector3f& log_gain = known[i].second->log_gain;
+    const auto row = static_cast<Eigen::Index>(i);
+    log_gain += kFollow * (logs.row(row).transpose().cast<float>() - log_gain);
   }
 }
 

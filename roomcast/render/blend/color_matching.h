@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // ColorMatching: corrects colour differences between cameras (white balance, exposure). Computes a
 // factor per sensor and channel from surfaces that two sensors both see: the median ratio of each
-// pair, then least squares over all pairs with a prior that keeps the factors near 1. Runs on the
-// CPU, on a fraction of the pictures. Single-threaded.
+// pair, then log_gains() over all pairs. Runs on the CPU, on a fraction of the pictures.
+// Single-threaded.
 #pragma once
 
 #include <map>
@@ -13,6 +13,7 @@
 #include "roomcast/core/ids.h"
 #include "roomcast/core/image.h"
 #include "roomcast/geometry/camera_model.h"
+#include "roomcast/geometry/color_balance.h"
 #include "roomcast/geometry/rigid_transform.h"
 
 namespace roomcast::render {
@@ -41,12 +42,9 @@ class ColorMatching {
     Eigen::Vector3f log_gain = Eigen::Vector3f::Zero();
     int skipped = kEvery;  // so that the first picture is used
   };
-  struct PairRatio {
-    double places = 0;
-    Eigen::Vector3d log_b_over_a;
-  };
-  [[nodiscard]] static std::optional<PairRatio> compare(const Picture& a, const Picture& b,
-                                                        const RigidTransform& b_from_a);
+  /// Of the two cameras; it does not know their numbers.
+  [[nodiscard]] static std::optional<ColorRatio> compare(const Picture& a, const Picture& b,
+                                                         const RigidTransform& b_from_a);
 
   std::map<SensorId, Picture> pictures_;
   bool is_news_ = false;
