@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Color balance of several cameras: a factor for each camera and channel, by which the surfaces that
-// two cameras both see look alike. Least squares over all pairs, with a prior that keeps the factors
-// near 1. Pure; thread-safe.
-// Source: gain compensation of panoramas (Brown and Lowe 2007), with logarithms of ratios.
+// Colour balance of several cameras: a factor for each camera and channel, by which the surfaces
+// that two cameras both see look alike. Least squares over all pairs, with a prior that keeps the
+// factors near 1. Pure; thread-safe. Source: gain compensation of panoramas (Brown and Lowe 2007),
+// with logarithms of ratios.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,8 @@
 
 namespace roomcast {
 
-/// What two cameras share: places, and the logarithm of the colours of b over those of a, red first.
+/// What two cameras share: places, and the logarithm of the colours of b over those of a, red
+/// first.
 struct ColorRatio {
   std::size_t a = 0, b = 0;  // cameras
   double places = 0;
