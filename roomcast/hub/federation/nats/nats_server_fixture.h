@@ -32,7 +32,7 @@ class NatsServer {
     std::string path = "PATH=/usr/sbin:/usr/bin:" + std::string(std::getenv("PATH"));
     char* environment[] = {path.data(), nullptr};
     ::posix_spawn(&pid_, "/usr/sbin/nats-server", nullptr, nullptr, arguments, environment);
-    for (int tries = 0; tries < 400 && !find_port(); ++tries) {
+    for (int tries = 0; tries < 2'000 && !find_port(); ++tries) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
   }
