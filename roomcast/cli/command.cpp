@@ -4,31 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/cli/print.h"
+#include "roomcast/core/error_name.h"
 
 namespace roomcast::cli {
-namespace {
-
-std::string_view name_of(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::kInvalidArgument:
-      return "invalid_argument";
-    case ErrorCode::kNotFound:
-      return "not_found";
-    case ErrorCode::kMalformed:
-      return "malformed";
-    case ErrorCode::kTooLarge:
-      return "too_large";
-    case ErrorCode::kUnsupported:
-      return "unsupported";
-    case ErrorCode::kUnavailable:
-      return "unavailable";
-    case ErrorCode::kClosed:
-      break;
-  }
-  return "closed";
-}
-
-}  // namespace
 
 int tell(const Finished& finished, bool json) {
   const auto& [status, told] = finished.outcome;

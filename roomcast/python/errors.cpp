@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/python/errors.h"
 
+#include "roomcast/core/error_name.h"
+
 namespace roomcast::python {
 namespace {
 
@@ -10,26 +12,6 @@ constexpr const char* kDoc =
     "Raised wherever roomcast cannot do what was asked: its text is one sentence for people.\n\n"
     "Attribute code (str): invalid_argument, not_found, malformed, too_large, unsupported,\n"
     "unavailable or closed.";
-
-const char* name_of(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::kInvalidArgument:
-      return "invalid_argument";
-    case ErrorCode::kNotFound:
-      return "not_found";
-    case ErrorCode::kMalformed:
-      return "malformed";
-    case ErrorCode::kTooLarge:
-      return "too_large";
-    case ErrorCode::kUnsupported:
-      return "unsupported";
-    case ErrorCode::kUnavailable:
-      return "unavailable";
-    case ErrorCode::kClosed:
-      return "closed";
-  }
-  return "";
-}
 
 /// Sentences quote files, whose names and contents need not be UTF-8.
 py::object text_of(const std::string& sentence) {
@@ -50,7 +32,7 @@ void add_error(py::module_& module) {
     } catch (const Failure& failure) {
       const py::object type = py::module_::import("roomcast._core").attr("Error");
       const py::object error = type(text_of(failure.error().message));
-      error.attr("code") = name_of(failure.error().code);
+      error.attr("code") = std::string(name_of(failure.error().code));
       PyErr_SetObject(type.ptr(), error.ptr());
     }
   });
