@@ -11,7 +11,7 @@
 #include <draco/compression/decode.h>
 #include <draco/compression/encode.h>
 
-#include "roomcast/recording/mesh/linear_light.h"
+#include "roomcast/core/srgb.h"
 
 namespace roomcast::recording {
 namespace {
@@ -64,6 +64,11 @@ void copy(const model::RoomMesh& from, draco::Mesh& to) {
     to.AddFace({draco::PointIndex(a), draco::PointIndex(b), draco::PointIndex(c)});
 }
 
+/// Of linear light; what is not within 0..1 is brought there.
+std::uint8_t nearest_level(float linear) {
+  return static_cast<std::uint8_t>(std::lround(level_from_linear(std::clamp(linear, 0.0F, 1.0F))));
+}
+
 Error damaged() {
   return {ErrorCode::kMalformed, "this is no mesh of a room in Draco's format, or it is damaged"};
 }
@@ -110,7 +115,7 @@ Result<model::RoomMesh> decode_draco(std::span<const std::uint8_t> bytes) {
     const auto [x, y, z] = numbers_of(*positions, i);
     mesh.points_m.emplace_back(x, y, z);
     const auto [r, g, b] = numbers_of(*colors, i);
-    mesh.colors.push_back({level_of(r), level_of(g), level_of(b)});
+    mesh.colors.push_back({nearest_level(r), nearest_level(g), nearest_level(b)});
   }
   for (std::uint32_t i = 0; i < coded->num_faces(); ++i) {
     const draco::Mesh::Face& face = coded->face(draco::FaceIndex(i));

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "roomcast/core/assert.h"
+#include "roomcast/core/srgb.h"
 #include "roomcast/recording/export/glb_document.h"
 #include "roomcast/recording/export/little_endian_bytes.h"
 #include "roomcast/recording/mesh/draco_mesh.h"
-#include "roomcast/recording/mesh/linear_light.h"
 
 namespace roomcast::recording {
 namespace {

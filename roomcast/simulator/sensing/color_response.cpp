@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "roomcast/core/assert.h"
+#include "roomcast/core/srgb.h"
 #include "roomcast/simulator/random/value_noise.h"
 
 namespace roomcast::simulator {
@@ -21,17 +22,6 @@ float slope_at_linear(float linear) {
 }
 
 }  // namespace
-
-float linear_from_level(float level) {
-  const float s = level / 255.0F;
-  return s <= 0.04045F ? s / 12.92F : std::pow((s + 0.055F) / 1.055F, 2.4F);
-}
-
-float level_from_linear(float linear) {
-  const float s =
-      linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
-  return 255.0F * s;
-}
 
 float ColorResponse::sigma_at_level(float level) {
   const float linear = linear_from_level(level);

@@ -32,10 +32,6 @@ class ColorResponse {
   std::array<std::array<Level, 256>, 3> levels_;
 };
 
-/// Linear light 0..1 from an sRGB level 0..255, and the inverse (IEC 61966-2-1).
-[[nodiscard]] float linear_from_level(float level);
-[[nodiscard]] float level_from_linear(float linear);
-
 /// Mean linear light of a picture, weighted 0.2126, 0.7152, 0.0722.
 [[nodiscard]] float mean_brightness(ColorView picture);
 

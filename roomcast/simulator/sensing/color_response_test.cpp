@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "roomcast/core/srgb.h"
 #include "roomcast/simulator/random/value_noise.h"
 
 namespace roomcast::simulator {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "roomcast/core/assert.h"
-#include "roomcast/simulator/sensing/color_response.h"
+#include "roomcast/core/srgb.h"
 
 namespace roomcast::simulator {
 namespace {
@@ -14,19 +14,10 @@ constexpr float kSlices = static_cast<float>(kShutterInstants);
 
 using Weights = std::array<float, kShutterInstants>;
 
-const std::array<float, 256>& linear_levels() {
-  static const std::array<float, 256> levels = [] {
-    std::array<float, 256> all{};
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = linear_from_level(static_cast<float>(i));
-    return all;
-  }();
-  return levels;
-}
-
 /// One channel of one pixel, blended over the instants.
 template <class Channel>
 std::uint8_t blended(const Weights& weights, const Channel& level_at) {
-  const std::array<float, 256>& linear = linear_levels();
+  static const std::array<float, 256> linear = linear_levels();
   float light = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) light += weights[i] * linear[level_at(i)];
   return static_cast<std::uint8_t>(level_from_linear(std::min(light, 1.0F)) + 0.5F);
