@@ -1,9 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/geometry/color_balance.h"
 
+#include <algorithm>
+
 #include "roomcast/geometry/dense_solvers.h"
 
 namespace roomcast {
+namespace {
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+}  // namespace
+
+ColorRatio median_ratio(std::size_t a, std::size_t b, ChannelLogs& logs) {
+  ColorRatio ratio{a, b, static_cast<double>(logs[0].size())};
+  for (std::size_t c = 0; c < logs.size(); ++c)
+    ratio.log_b_over_a[static_cast<Eigen::Index>(c)] = median(logs[c]);
+  return ratio;
+}
 
 Eigen::MatrixXd log_gains(std::span<const ColorRatio> ratios, std::size_t cameras,
                           double prior_places) {

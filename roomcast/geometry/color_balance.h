@@ -5,8 +5,10 @@
 // with logarithms of ratios.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -19,6 +21,11 @@ struct ColorRatio {
   double places = 0;
   Eigen::Vector3d log_b_over_a = Eigen::Vector3d::Zero();
 };
+
+/// For each channel the logarithms of b over a, one for each place; at least one place. Reorders
+/// them.
+using ChannelLogs = std::array<std::vector<double>, 3>;
+[[nodiscard]] ColorRatio median_ratio(std::size_t a, std::size_t b, ChannelLogs& logs);
 
 /// Logarithms of the factors: a row for each camera, red first; 0 for a camera that shares nothing.
 /// `prior_places` > 0: as many places say that the factors are 1.

@@ -20,6 +20,15 @@ TEST(ColorBalance, makes_all_cameras_alike_also_over_a_third) {
   EXPECT_NEAR(logs.col(0).sum(), 0, 1e-6) << "the mean stays as it is";
 }
 
+TEST(ColorBalance, what_two_cameras_share_is_their_median) {
+  ChannelLogs logs = {{{0.2, 0.1, 5}, {0, 0, -3}, {-0.1, -0.1, 0.4}}};
+  const ColorRatio ratio = median_ratio(3, 7, logs);
+  EXPECT_EQ(ratio.a, 3u);
+  EXPECT_EQ(ratio.b, 7u);
+  EXPECT_EQ(ratio.places, 3);
+  EXPECT_EQ(ratio.log_b_over_a, Eigen::Vector3d(0.2, 0, -0.1));
+}
+
 TEST(ColorBalance, the_prior_holds_back_what_few_places_say) {
   const std::array<ColorRatio, 1> ratios = {{{0, 1, 10, {0.4, 0, 0}}}};
   const Eigen::MatrixXd logs = log_gains(ratios, 2, 10);

@@ -2,7 +2,6 @@
 #include "roomcast/model/color_gains.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -41,15 +40,9 @@ void add_shared(std::span<const ViewSurface> views, const Eigen::Vector3f& at_m,
   }
 }
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 /// The median of each pair of views that share enough.
 std::vector<ColorRatio> ratios_of_pairs(std::span<const SharedColor> shared) {
-  std::map<std::pair<std::size_t, std::size_t>, std::array<std::vector<double>, 3>> of_pair;
+  std::map<std::pair<std::size_t, std::size_t>, ChannelLogs> of_pair;
   for (const SharedColor& place : shared) {
     if (!is_exposed(place.color_a) || !is_exposed(place.color_b)) continue;
     auto& logs = of_pair[{place.view_a, place.view_b}];
@@ -59,11 +52,7 @@ std::vector<ColorRatio> ratios_of_pairs(std::span<const SharedColor> shared) {
   }
   std::vector<ColorRatio> ratios;
   for (auto& [pair, logs] : of_pair) {
-    if (logs[0].size() < kMinShared) continue;
-    ratios.push_back({pair.first,
-                      pair.second,
-                      static_cast<double>(logs[0].size()),
-                      {median(logs[0]), median(logs[1]), median(logs[2])}});
+    if (logs[0].size() >= kMinShared) ratios.push_back(median_ratio(pair.first, pair.second, logs));
   }
   return ratios;
 }

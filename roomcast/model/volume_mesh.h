@@ -15,10 +15,12 @@ namespace roomcast::model {
 /// Without colours. Points where blocks meet are one point, so the surface has no cracks.
 [[nodiscard]] RoomMesh mesh_volume(const RoomVolume& volume);
 
+/// Of points whose colour no view has.
+inline constexpr Rgb8 kNoColor{128, 128, 128};
+
 /// Colours every point by the views in which it is visible, nearly only by those that see it from
 /// nearby and from the front; kNoColor where no view has its colour. `gains`: of each view
 /// (color_gains.h).
-inline constexpr Rgb8 kNoColor{128, 128, 128};
 void color_mesh(std::span<const ViewSurface> views, std::span<const Eigen::Vector3f> gains,
                 const ModelOptions& options, const Workers& workers, RoomMesh& mesh);
 

@@ -2,7 +2,6 @@
 #include "roomcast/render/blend/color_matching.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -33,12 +32,6 @@ bool is_telling(Rgb8 color) {
   return least >= kDarkest && most <= kBrightest;
 }
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 void ColorMatching::offer(SensorId sensor, const CameraIntrinsics& lens, DepthView depth_mm,
@@ -60,7 +53,7 @@ void ColorMatching::forget(SensorId sensor) {
 
 std::optional<ColorRatio> ColorMatching::compare(const Picture& a, const Picture& b,
                                                  const RigidTransform& b_from_a) {
-  std::array<std::vector<double>, 3> logs;
+  ChannelLogs logs;
   for (int y = 0; y < a.lens.height; y += kGridStep) {
     for (int x = 0; x < a.lens.width; x += kGridStep) {
       const double z_m = 0.001 * a.depth_mm.at(x, y);
@@ -83,10 +76,7 @@ std::optional<ColorRatio> ColorMatching::compare(const Picture& a, const Picture
     }
   }
   if (logs[0].size() < kEnoughPlaces) return std::nullopt;
-  ColorRatio ratio;
-  ratio.places = static_cast<double>(logs[0].size());
-  ratio.log_b_over_a = {median(logs[0]), median(logs[1]), median(logs[2])};
-  return ratio;
+  return median_ratio(0, 0, logs);
 }
 
 void ColorMatching::update(const std::map<SensorId, RigidTransform>& world_from_depth) {
