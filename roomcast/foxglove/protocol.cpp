@@ -6,6 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "roomcast/core/little_endian.h"
+#include "roomcast/net/base64.h"
+
 namespace roomcast::foxglove {
 namespace {
 
@@ -17,6 +20,10 @@ constexpr std::uint8_t kMessageData = 0x01;
 /// Text that comes from elsewhere, such as names of sensors, may be no UTF-8.
 std::string text_of(const json& message) {
   return message.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::span<const std::uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
 std::optional<std::uint32_t> id_of(const json& value) {
@@ -84,7 +91,7 @@ std::string advertise(std::span<const Channel> channels) {
                     {"topic", channel.topic},
                     {"encoding", "protobuf"},
                     {"schemaName", schema.name},
-                    {"schema", base64(schema.files)},
+                    {"schema", net::base64(bytes_of(schema.files))},
                     {"schemaEncoding", "protobuf"}});
   }
   return text_of({{"op", "advertise"}, {"channels", std::move(list)}});
@@ -114,27 +121,9 @@ Result<Request> parse_request(std::string_view text) {
 
 std::array<std::uint8_t, 13> data_header(std::uint32_t subscription, nanoseconds time) {
   std::array<std::uint8_t, 13> header{kMessageData};
-  for (std::size_t i = 0; i < 4; ++i)
-    header[1 + i] = static_cast<std::uint8_t>(subscription >> (8 * i));
-  const auto ns = static_cast<std::uint64_t>(time.count());
-  for (std::size_t i = 0; i < 8; ++i) header[5 + i] = static_cast<std::uint8_t>(ns >> (8 * i));
+  write_u32(&header[1], subscription);
+  write_u64(&header[5], static_cast<std::uint64_t>(time.count()));
   return header;
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8U | (k < count ? static_cast<std::uint8_t>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += k <= count ? kDigits[group >> (18 - 6 * k) & 63U] : '=';
-  }
-  return text;
 }
 
 }  // namespace roomcast::foxglove

@@ -57,7 +57,4 @@ struct Request {
 [[nodiscard]] std::array<std::uint8_t, 13> data_header(std::uint32_t subscription,
                                                        nanoseconds time);
 
-/// RFC 4648 section 4.
-[[nodiscard]] std::string base64(std::string_view bytes);
-
 }  // namespace roomcast::foxglove

@@ -13,6 +13,7 @@
 #include <boost/beast/http/verb.hpp>
 #include <openssl/evp.h>
 
+#include "roomcast/net/base64.h"
 #include "roomcast/net/random_bytes.h"
 #include "roomcast/net/request_framing.h"
 
@@ -27,14 +28,6 @@ constexpr std::string_view kWebSocketGuid = "258EAFA5-E914-47DA-95CA-C5AB0DC85B1
 constexpr std::string_view kVersion = "13";
 constexpr std::size_t kNonceBytes = 16;
 constexpr std::size_t kKeyLength = 24;  // kNonceBytes in base64
-
-std::string base64(std::span<const std::uint8_t> bytes) {
-  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');
-  const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), bytes.data(),
-                                     static_cast<int>(bytes.size()));
-  text.resize(static_cast<std::size_t>(length));
-  return text;
-}
 
 bool is_key(std::string_view key) {
   std::array<std::uint8_t, kKeyLength> decoded{};

@@ -124,10 +124,10 @@ std::string points_message(const PointCloud& cloud, UpAxis up, nanoseconds time)
   std::string& data = *message.mutable_data();
   data.resize(kPointBytes * cloud.size());
   static_assert(std::endian::native == std::endian::little);
+  const Eigen::Matrix3f rotation = upright_from_world(up).rotation.cast<float>();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     char* const point = data.data() + kPointBytes * i;
-    const Eigen::Vector3f& p = cloud.points_m[i];
-    const Eigen::Vector3f upright = up == UpAxis::kZ ? Eigen::Vector3f(p.x(), -p.z(), p.y()) : p;
+    const Eigen::Vector3f upright = rotation * cloud.points_m[i];
     std::memcpy(point, upright.data(), 12);
     const std::uint8_t color[] = {cloud.colors[i].b, cloud.colors[i].g, cloud.colors[i].r, 255};
     std::memcpy(point + 12, color, 4);
