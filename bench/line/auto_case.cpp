@@ -2,7 +2,6 @@
 // Measures how well sensors that estimate their line use it: the link changes its rate, and three
 // figures say what came of it: the share of the link that was used, the age of frames on arrival,
 // and the time until most of a faster link is used.
-#include <algorithm>
 #include <thread>
 
 #include <fmt/format.h>
@@ -19,16 +18,10 @@ using namespace std::chrono_literals;
 constexpr double kGoodShare = 0.8;
 constexpr auto kWindow = 500ms;  // over which a rate counts
 
-double percentile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  const auto at = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(at));
-  return values[at];
-}
-
 void add_ages(const std::string& name, const std::vector<double>& ages_ms, LineReport& report) {
-  report.figures.push_back({name + "age on arrival, p50", "ms", percentile(ages_ms, 0.5)});
-  report.figures.push_back({name + "age on arrival, p95", "ms", percentile(ages_ms, 0.95)});
+  const LatencyRow ages = distribution("", "ms", ages_ms);
+  report.figures.push_back({name + "age on arrival, p50", "ms", ages.p50});
+  report.figures.push_back({name + "age on arrival, p95", "ms", ages.p95});
 }
 
 void add_phase(std::size_t number, double mbit, double mbit_before, const RateOutcome& outcome,
