@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/hub_option.h"
 #include "roomcast/cli/number_option.h"
 #include "roomcast/cli/print.h"
 #include "roomcast/cli/stderr_log.h"
@@ -91,10 +92,7 @@ void add_foxglove_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<FoxgloveOptions>();
   CLI::App* command =
       app.add_subcommand("foxglove", "Serve a room to Foxglove and Lichtblick, live");
-  command
-      ->add_option("--hub", options->subscriber.hub_url,
-                   "ws://HOST:PORT, or several with commas; when one is lost, the next is used")
-      ->required();
+  add_hub_option(*command, options->subscriber.hub_url);
   command->add_option("--room", options->subscriber.room, "The room (default: the hub's only one)");
   add_token_options(*command, options->token);
   command->add_option("--port", options->port, "Port to serve on; 0 takes any free one")

@@ -13,6 +13,7 @@
 #include <sys/resource.h>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/hub_option.h"
 #include "roomcast/cli/number_option.h"
 #include "roomcast/cli/print.h"
 #include "roomcast/cli/status_line.h"
@@ -172,10 +173,7 @@ void add_record_command(CLI::App& app, Command& chosen) {
       app.add_subcommand("record", "Record a room: the frames of the hub, unchanged");
   command->add_option("out", options->out, "New file OUT.mcap; a folder for several rooms")
       ->required();
-  command
-      ->add_option("--hub", options->hub_url,
-                   "ws://HOST:PORT, or several with commas; when one is lost, the next is used")
-      ->required();
+  add_hub_option(*command, options->hub_url);
   command->add_option("--room", options->rooms,
                       "The room (default: the hub's only one); may be given several times");
   add_token_options(*command, options->token);

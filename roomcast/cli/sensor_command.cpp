@@ -11,6 +11,7 @@
 
 #include "roomcast/cli/codec_option.h"
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/hub_option.h"
 #include "roomcast/cli/number_option.h"
 #include "roomcast/cli/print.h"
 #include "roomcast/cli/sensor_camera_options.h"
@@ -149,10 +150,7 @@ void add_sensor_command(CLI::App& app, Command& chosen) {
                    "sim[:scene][#n], rig:DIR#s0, tum:DIR, mcap:FILE#s0, or a camera: freenect:0, "
                    "openni2:[FILE.oni], realsense:, freenect2:, k4a: (roomcast devices lists them)")
       ->required();
-  command
-      ->add_option("--hub", options->feed.hub_url,
-                   "ws://HOST:PORT, or several with commas; when one is lost, the next is used")
-      ->required();
+  add_hub_option(*command, options->feed.hub_url);
   command->add_option("--room", options->feed.room, "The room (default: the hub's only one)");
   command->add_option(
       "--name", options->feed.name,

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "roomcast/cli/command.h"
+#include "roomcast/cli/hub_option.h"
 #include "roomcast/cli/number_option.h"
 #include "roomcast/cli/render_mode_option.h"
 #include "roomcast/cli/view_options.h"
@@ -42,10 +43,7 @@ void add_view_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command =
       app.add_subcommand("view", "View a room in a window, or draw one picture of it");
-  command
-      ->add_option("--hub", options->subscriber.hub_url,
-                   "ws://HOST:PORT, or several with commas; when one is lost, the next is used")
-      ->required();
+  add_hub_option(*command, options->subscriber.hub_url);
   command->add_option("--room", options->subscriber.room, "The room (default: the hub's only one)");
   add_token_options(*command, options->token);
   command->add_option("--name", options->subscriber.name, "Name shown to others");

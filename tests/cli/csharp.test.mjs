@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The C# bindings of unity/ under Mono, against a real hub; Unity's component against stubs of the editor's classes.
 import assert from 'node:assert/strict';
-import { spawn, spawnSync } from 'node:child_process';
-import { once } from 'node:events';
+import { spawnSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
@@ -11,7 +10,7 @@ import { fileURLToPath } from 'node:url';
 
 import { RoomClient } from '../network/room_client.mjs';
 import { writeSmallRig } from '../network/small_rig.mjs';
-import { Program, assertFailed, binary, run, scratchFolder, startHub } from './program.mjs';
+import { Program, assertFailed, binary, run, runOther, scratchFolder, startHub } from './program.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const source = resolve(here, '../..');
@@ -40,15 +39,7 @@ function compile(name, sources, ...options) {
   return out;
 }
 
-async function mono(program, ...args) {
-  const child = spawn('mono', [program, ...args], { stdio: ['ignore', 'pipe', 'pipe'], timeout: 25_000 });
-  let stdout = '';
-  let stderr = '';
-  child.stdout.setEncoding('utf8').on('data', (text) => (stdout += text));
-  child.stderr.setEncoding('utf8').on('data', (text) => (stderr += text));
-  const [code, signal] = await once(child, 'close');
-  return { code: code ?? signal, stdout, stderr };
-}
+const mono = (program, ...args) => runOther('mono', program, ...args);
 
 let compiledChecks;
 function checks() {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The libroomcast examples against a real hub: C, C++ and Python receive and record a room.
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
-import { once } from 'node:events';
 import { existsSync, readFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { test } from 'node:test';
@@ -10,22 +8,12 @@ import { fileURLToPath } from 'node:url';
 
 import { RoomClient } from '../network/room_client.mjs';
 import { writeSmallRig } from '../network/small_rig.mjs';
-import { Program, binary, run, scratchFolder, startHub } from './program.mjs';
+import { Program, binary, run, runOther, scratchFolder, startHub } from './program.mjs';
 
 const build = resolve(dirname(binary), '..');
 const examples = resolve(dirname(fileURLToPath(import.meta.url)), '../../examples');
 const library = join(build, 'lib/libroomcast.so.1');
 const skip = existsSync(library) ? false : `${library} is not built`;
-
-async function runExample(command, ...args) {
-  const child = spawn(command, args, { stdio: ['ignore', 'pipe', 'pipe'], timeout: 25_000 });
-  let stdout = '';
-  let stderr = '';
-  child.stdout.setEncoding('utf8').on('data', (text) => (stdout += text));
-  child.stderr.setEncoding('utf8').on('data', (text) => (stderr += text));
-  const [code, signal] = await once(child, 'close');
-  return { code: code ?? signal, stdout, stderr };
-}
 
 async function startRoom(t) {
   const hub = await startHub(t);
@@ -41,7 +29,7 @@ async function startRoom(t) {
 test('library_shows_the_functions_of_its_header_and_nothing_else', { skip }, async () => {
   const header = readFileSync(join(examples, '../roomcast/capi/roomcast.h'), 'utf8');
   const declared = [...header.matchAll(/^ROOMCAST_API [^(]*?(roomcast_\w+)\(/gm)].map(([, name]) => name);
-  const { stdout } = await runExample('nm', '--dynamic', '--defined-only', '--format=posix', library);
+  const { stdout } = await runOther('nm', '--dynamic', '--defined-only', '--format=posix', library);
   const shown = stdout.split('\n').filter((line) => / T /.test(line)).map((line) => line.split(/[@ ]/)[0]);
   assert.ok(declared.length >= 13);
   assert.deepEqual(shown.sort(), declared.sort());
@@ -50,7 +38,7 @@ test('library_shows_the_functions_of_its_header_and_nothing_else', { skip }, asy
 test('c_example_writes_the_points_of_the_room', { skip }, async (t) => {
   const hub = await startRoom(t);
   const ply = join(scratchFolder(t), 'room.ply');
-  const { code, stdout, stderr } = await runExample(join(build, 'bin/roomcast_example_points'), hub.url, ply);
+  const { code, stdout, stderr } = await runOther(join(build, 'bin/roomcast_example_points'), hub.url, ply);
   assert.equal(code, 0, stderr);
   const [, count] = /^(\d+) points of 2 of 2 sensors/.exec(stdout) ?? assert.fail(stdout);
   assert.ok(Number(count) > 1000);
@@ -61,10 +49,10 @@ test('c_example_writes_the_points_of_the_room', { skip }, async (t) => {
 
 test('c_example_is_a_sensor_whose_depth_arrives_unchanged', { skip }, async (t) => {
   const hub = await startHub(t);
-  const sensor = runExample(join(build, 'bin/roomcast_example_sensor'), hub.url, 'my-camera', '4');
+  const sensor = runOther(join(build, 'bin/roomcast_example_sensor'), hub.url, 'my-camera', '4');
   const other = await RoomClient.join(t, hub.url);
   await other.until('the sensor', () => other.sensor('my-camera'));
-  const seen = await runExample('python3', join(examples, 'depth.py'), hub.url, library);
+  const seen = await runOther('python3', join(examples, 'depth.py'), hub.url, library);
   assert.match(seen.stdout, new RegExp(`^my-camera: 320x240, ${240 * (320 - 40)} readings, median 2\\.00 m$`, 'm'), seen.stderr);
   const { code, stdout, stderr } = await sensor;
   assert.equal(code, 0, stderr);
@@ -79,7 +67,7 @@ test('cpp_example_records_the_room', { skip }, async (t) => {
   const hub = await startRoom(t);
   const file = join(scratchFolder(t), 'room.mcap');
   const example = join(build, 'bin/roomcast_example_record');
-  const { code, stdout, stderr } = await runExample(example, hub.url, file, '2');
+  const { code, stdout, stderr } = await runOther(example, hub.url, file, '2');
   assert.equal(code, 0, stderr);
   assert.match(stdout, /s0: frame \d+, \d+\.\d+ m ahead/);
   const info = await run('info', file, '--json');
@@ -90,7 +78,7 @@ test('cpp_example_records_the_room', { skip }, async (t) => {
 test('python_example_reads_depth_and_is_seen_by_others', { skip }, async (t) => {
   const hub = await startRoom(t);
   const other = await RoomClient.join(t, hub.url);
-  const { code, stdout, stderr } = await runExample('python3', join(examples, 'depth.py'), hub.url, library);
+  const { code, stdout, stderr } = await runOther('python3', join(examples, 'depth.py'), hub.url, library);
   assert.equal(code, 0, stderr);
   for (const sensor of ['s0', 's1']) assert.match(stdout, new RegExp(`^${sensor}: 64x48, \\d+ readings, median \\d+\\.\\d\\d m$`, 'm'));
   await other.until('the pose', () => other.heads.some((head) => head.join() === '0.5,1.5,2'));
@@ -102,7 +90,7 @@ test('an_example_without_a_hub_says_so', { skip }, async () => {
     ['python3', join(examples, 'depth.py'), nobody, library],
     [join(build, 'bin/roomcast_example_sensor'), nobody, 'my-camera'],
   ]) {
-    const { code, stderr } = await runExample(...program);
+    const { code, stderr } = await runOther(...program);
     assert.equal(code, 1);
     assert.match(stderr, /127\.0\.0\.1/);
   }

@@ -65,6 +65,17 @@ export async function run(...args) {
   return { code, stdout: program.stdout, stderr: program.stderr };
 }
 
+/** Runs a program other than roomcast to its end, for at most 25 s. */
+export async function runOther(command, ...args) {
+  const child = spawn(command, args, { stdio: ['ignore', 'pipe', 'pipe'], timeout: 25_000 });
+  let stdout = '';
+  let stderr = '';
+  child.stdout.setEncoding('utf8').on('data', (text) => (stdout += text));
+  child.stderr.setEncoding('utf8').on('data', (text) => (stderr += text));
+  const [code, signal] = await once(child, 'close');
+  return { code: code ?? signal, stdout, stderr };
+}
+
 /** Starts a hub on a free port, with a state of its own; it is stopped when the test `t` ends. */
 export async function startHub(t, ...options) {
   return startHubThrough(t, [], ...options);
