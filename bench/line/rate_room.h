@@ -31,7 +31,7 @@ class RateRoom {
                                                 const LinkSpec& link,
                                                 const sensor::CodecChoice& codec);
 
-  /// What the link carries and the viewer receives for this long, from now on.
+  /// Measures the link and the frames that arrive at the viewer, for this long.
   [[nodiscard]] RateOutcome measure(std::chrono::milliseconds duration);
   /// The link carries so much from now on.
   void set_link_rate(double mbit_per_s) { link_->set_rate(mbit_per_s); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sensor tells its hub about itself.
+// The messages by which a sensor joins its hub and reports its state.
 #pragma once
 
 #include "roomcast/client/publisher.h"

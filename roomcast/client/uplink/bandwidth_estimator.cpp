@@ -89,7 +89,7 @@ void BandwidthEstimator::observe(const Reading& reading) {
   least_round_trip_ = std::min(least_round_trip_, reading.round_trip);
 }
 
-/// What a full line delivers, bytes/s, if that is less than the rate.
+/// The delivery rate of a full line, bytes/s, if it is less than the rate to send at.
 std::optional<double> BandwidthEstimator::overload(const Reading& reading) const {
   if (!full_since_ || reading.time < next_cut_ || last_arrival_ != reading.time)
     return std::nullopt;
@@ -101,7 +101,7 @@ std::optional<double> BandwidthEstimator::overload(const Reading& reading) const
   const double delivered = delivered_since(reading.time - look, reading);
   if (delivered < kMinBytesOfLook) return std::nullopt;
   const double per_s = delivered / seconds_of(look);
-  // What arrives now was sent at the rate of a round trip ago.
+  // Bytes that arrive now were sent a round trip ago, at the rate of that time.
   const double sent = std::min(rate_, rate_before(reading.time - reading.round_trip));
   const double least = full >= long_look ? kLess : kMuchLess;
   return per_s < least * sent ? std::optional(per_s) : std::nullopt;

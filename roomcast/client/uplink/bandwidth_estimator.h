@@ -24,7 +24,7 @@ class BandwidthEstimator {
   static constexpr double kStart = 1e6 / 8;  // bytes/s, until more is known
   static constexpr double kMin = 0.1e6 / 8, kMax = 100e6 / 8;
 
-  /// What the kernel says at one moment.
+  /// The kernel's counters at one moment.
   struct Reading {
     HostTime time{};
     std::uint64_t delivered_bytes = 0;  // since the connection began

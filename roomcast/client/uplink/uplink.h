@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is known of the line from a client to its hub.
+// The line from a client to its hub, by estimate.
 #pragma once
 
 #include <cstddef>
