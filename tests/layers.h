@@ -196,13 +196,19 @@ inline const std::vector<Layer> kLayers = {
      "alignment/board alignment/bundle alignment/pair alignment/person alignment/prior "
      "alignment/rig alignment/view client client/room codec core geometry io wire",
      "alignment/feature alignment/motion hub/server recording/dataset sensor"},
+    {"ros2/dds",
+     "core"},
+    {"ros2/camera",
+     "core geometry recording/import recording/ros ros2/dds source source/camera"},
     {"sensor/sender",
      "client client/uplink codec core geometry"},
     {"sensor",
      "alignment/board alignment/bundle alignment/motion alignment/person "
      "alignment/service client codec/live core geometry io recording/import "
-     "recording/playback sensor/sender simulator source source/camera source/drivers wire",
+     "recording/playback ros2/camera sensor/sender simulator source source/camera source/drivers wire",
      "alignment/feature recording/dataset"},
+    {"ros2/bridge",
+     "client codec core geometry recording/export recording/frame_sets recording/live_sets recording/ros ros2/dds"},
     {"viewer/walk",
      "client/room core geometry",
      "viewer/report"},

@@ -62,6 +62,7 @@ void add_import_command(CLI::App& app, Command& chosen);
 void add_info_command(CLI::App& app, Command& chosen);
 void add_export_command(CLI::App& app, Command& chosen);
 void add_foxglove_command(CLI::App& app, Command& chosen);
+void add_ros2_command(CLI::App& app, Command& chosen);
 void add_measure_command(CLI::App& app, Command& chosen);
 void add_align_command(CLI::App& app, Command& chosen);
 void add_board_command(CLI::App& app, Command& chosen);

@@ -10,6 +10,7 @@
 #include "roomcast/recording/import/open_recording.h"
 #include "roomcast/recording/playback/recording_source.h"
 #include "roomcast/recording/playback/replay_source.h"
+#include "roomcast/ros2/camera/topic_camera.h"
 #include "roomcast/sensor/calibrated_source.h"
 #include "roomcast/simulator/simulated_source.h"
 #include "roomcast/source/camera/camera_source.h"
@@ -22,7 +23,8 @@ constexpr const char* kKinds =
     "a source is sim[:scene[,option...]][#sensor], rig:DIR#sensor, tum:DIR, mcap:FILE#sensor, a "
     "recording of another program: mkv:FILE, bag:FILE, ros2:FILE, sens:FILE or pictures:DIR, or a "
     "camera: freenect:0, openni2:[FILE.oni], "
-    "realsense:[SERIAL], freenect2:[SERIAL], k4a:[SERIAL]; "
+    "realsense:[SERIAL], freenect2:[SERIAL], k4a:[SERIAL], or "
+    "one of ROS 2: ros2-topic:/DEPTH[,/COLOR]; "
     "for example sim:office,camera=d435#0, rig:house3#s0, tum:kitchen or mcap:lab.mcap#s0";
 
 /// kind[:place][#sensor]. The kind ends at the first ':' or '#'; the sensor's name follows the last
@@ -58,6 +60,14 @@ std::optional<int> sensor_index(const std::string& text) {
   return index;
 }
 
+source::CameraSourceOptions camera_options(const SourceOptions& options) {
+  source::CameraSourceOptions camera;
+  camera.settings = options.camera;
+  camera.settings.loop = options.loop;
+  camera.log = options.log;
+  return camera;
+}
+
 Result<std::unique_ptr<source::FrameSource>> open_kind(const source::CameraKind& kind,
                                                        const std::string& place,
                                                        const SourceOptions& options) {
@@ -67,11 +77,15 @@ Result<std::unique_ptr<source::FrameSource>> open_kind(const source::CameraKind&
                                               std::string(kind.cameras) +
                                               "; install it and build again"};
   }
-  source::CameraSourceOptions camera;
-  camera.settings = options.camera;
-  camera.settings.loop = options.loop;
-  camera.log = options.log;
-  return source::CameraSource::open(kind.make(), place, camera);
+  return source::CameraSource::open(kind.make(), place, camera_options(options));
+}
+
+Result<std::unique_ptr<source::FrameSource>> open_ros2_topic(const std::string& place,
+                                                             const SourceOptions& options) {
+  source::CameraSourceOptions camera = camera_options(options);
+  camera.name = ros2::camera_name_of_topic(place);
+  return source::CameraSource::open(ros2::topic_camera_backend({.stop = options.stop}), place,
+                                    camera);
 }
 
 simulator::SimulatedSourceOptions simulated(const SourceOptions& options) {
@@ -107,6 +121,7 @@ Result<std::unique_ptr<source::FrameSource>> open_as_it_is(const std::string& te
   }
   if (const source::CameraKind* kind = source::camera_kind(spec.kind))
     return open_kind(*kind, spec.place, options);
+  if (spec.kind == "ros2-topic") return open_ros2_topic(spec.place, options);
   const bool is_import = recording::is_import_kind(spec.kind);
   const bool is_recording =
       spec.kind == "rig" || spec.kind == "tum" || spec.kind == "mcap" || is_import;

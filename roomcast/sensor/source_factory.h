@@ -3,6 +3,7 @@
 // sim[:scene][#sensor]  rig:DIR#s0  tum:DIR  mcap:FILE#s0
 // recordings of other programs (recording/import/open_recording.h): mkv:FILE  bag:FILE#camera
 // ros2:FILE#camera  sens:FILE  pictures:DIR#name
+// ros2-topic:/camera/depth/image_raw[,/camera/color/image_raw]
 // freenect:0  openni2:[URI or FILE.oni]  realsense:[SERIAL]  freenect2:[SERIAL]  k4a:[SERIAL]
 #pragma once
 
@@ -26,7 +27,7 @@ struct SourceOptions {
   double sim_fps = 15;                     // sim: frames per second
   int sim_sensor_count = 3;                // sim: number of sensors around the room
   std::uint64_t sim_seed = 1;              // sim: noise and furniture
-  std::stop_token stop = {};               // sim: ends the preparation of the room
+  std::stop_token stop = {};               // ends the preparation of a sim, or waiting for ROS 2
   source::CameraSettings camera = {};      // cameras: requested settings
   std::filesystem::path calibration = {};  // camera.json that overrides the source
   LogSink log = {};  // cameras: connection lost or back; called from a thread of theirs

@@ -26,6 +26,7 @@ const failures = {
   view: [['view', '--png', '/tmp/never.png', ...nobody], 1, 'unavailable'],
   sensor: [['sensor', '--source', 'sim', ...nobody], 1, 'unavailable'],
   foxglove: [['foxglove', '--port', '0', ...nobody], 1, 'unavailable'],
+  ros2: [['ros2', ...nobody], 1, 'unavailable'],
   doctor: [['doctor', '--hub', 'ftp://x'], 2, 'invalid_argument'],
   bench: [['bench', 'codec', 'tum:/nowhere'], 1, 'not_found'],
 };

@@ -7,7 +7,7 @@ import { test } from 'node:test';
 
 import { assertFailed, run, scratchFolder } from './program.mjs';
 
-const commands = [['demo'], ['hub'], ['sensor'], ['view'], ['simulate'], ['devices'], ['calibrate'], ['info'], ['foxglove'], ['bench', 'codec'], ['bench', 'register']];
+const commands = [['demo'], ['hub'], ['sensor'], ['view'], ['simulate'], ['devices'], ['calibrate'], ['info'], ['foxglove'], ['ros2'], ['bench', 'codec'], ['bench', 'register']];
 
 for (const command of commands) {
   const name = command.join(' ');

@@ -50,8 +50,8 @@ CameraSource::CameraSource(std::shared_ptr<CameraBackend> backend, const std::st
                [this](CapturedFrame& frame) { hand_over(frame); }),
       pace_(std::random_device{}()) {
   const CameraDescription& opened = camera_->description();
-  description_ = {sensor_name(backend_->kind(), opened), opened.calibration, std::nullopt,
-                  opened.fps};
+  description_ = {options_.name.empty() ? sensor_name(backend_->kind(), opened) : options_.name,
+                  opened.calibration, std::nullopt, opened.fps};
   thread_ = std::jthread([this](const std::stop_token& stop) { capture(stop); });
 }
 

@@ -25,7 +25,8 @@ struct CameraSourceOptions {
   std::chrono::milliseconds silence{3000};
   /// Exposure and white balance are locked after so many frames, when they have converged.
   std::uint64_t frames_until_lock = 60;
-  LogSink log = {};  // called on the camera's thread
+  LogSink log = {};       // called on the camera's thread
+  std::string name = {};  // of the sensor; empty: the kind's and the camera's serial number
 };
 
 class CameraSource final : public FrameSource {
