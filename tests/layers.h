@@ -93,6 +93,8 @@ inline const std::vector<Layer> kLayers = {
     {"recording/room",
      "core recording recording/mcap wire",
      "client/room codec"},
+    {"recording/voices",
+     "core geometry io recording/room wire"},
     {"recording/playback",
      "client/room codec core io recording/dataset recording/room source wire"},
     {"recording/import",

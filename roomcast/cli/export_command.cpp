@@ -15,6 +15,7 @@
 #include "roomcast/cli/film_command_options.h"
 #include "roomcast/cli/number_option.h"
 #include "roomcast/cli/print.h"
+#include "roomcast/cli/sound_export.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/recording/export/set_writer.h"
@@ -36,6 +37,7 @@ struct ExportOptions {
   std::string up;  // empty: z in a Foxglove file
   std::vector<std::string> mesh_files = {"glb"};
   FilmCommandOptions film;
+  SoundOptions sound;
   bool json = false;
 };
 
@@ -44,7 +46,7 @@ nanoseconds seconds(double value) {
 }
 
 // They have writers of their own, unlike the other formats.
-constexpr const char *kFilm = "video", *kMesh = "mesh";
+constexpr const char *kFilm = "video", *kMesh = "mesh", *kSound = "wav";
 constexpr std::string_view kFoxglove = "foxglove";
 
 recording::ExportFormat format_of(const std::string& name) {
@@ -149,6 +151,11 @@ void report(const ExportOptions& options, const recording::ExportTotals& totals,
 
 Outcome run_export(ExportOptions options) {
   StopOnSignal stop;
+  if (options.format == kSound) {
+    options.sound.from = seconds(options.from_s);
+    options.sound.to = seconds(options.to_s);
+    return export_sound(options.recording, options.out, options.sound, options.json, stop.token());
+  }
   if (!options.up.empty() && options.format != kFoxglove)
     return invalid_argument("--up is an option of --format foxglove; in the others y is up");
   if (!options.crop.empty()) {
@@ -181,6 +188,7 @@ std::vector<std::string> format_names() {
     names.emplace_back(name_of(format));
   names.emplace_back(kMesh);
   names.emplace_back(kFilm);
+  names.emplace_back(kSound);
   return names;
 }
 
@@ -193,7 +201,8 @@ void add_export_command(CLI::App& app, Command& chosen) {
   command->add_option("recording", options->recording, "FILE.mcap, or the folder of a rig")
       ->required();
   command
-      ->add_option("--format", options->format, "ply, pcd, gltf, mesh, rig, tum, foxglove or video")
+      ->add_option("--format", options->format,
+                   "ply, pcd, gltf, mesh, rig, tum, foxglove, video or wav")
       ->check(CLI::IsMember(format_names()))
       ->capture_default_str();
   command->add_option("--out", options->out, "Folder to write to")->required();
@@ -226,6 +235,7 @@ void add_export_command(CLI::App& app, Command& chosen) {
                    "Foxglove: the axis of `world` that points up, z (default) or y")
       ->check(CLI::IsMember({"y", "z"}));
   add_film_options(*command, options->film);
+  add_sound_options(*command, options->sound);
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
       "ply and pcd: set_NNNNNN files, the merged cloud of all placed sensors with colours and "
@@ -236,13 +246,15 @@ void add_export_command(CLI::App& app, Command& chosen) {
       "foxglove: room.mcap with point clouds, depth, VP9 video, calibrations and transforms.\n"
       "video: film.mp4 by ffmpeg, or pictures where that is not installed; --path FILE is\n"
       "{\"keys\": [{\"time_s\": 0, \"at\": [x,y,z], \"look\": [x,y,z]}, ...]}.\n"
+      "wav: voices.wav, what people say, and voices.csv with who speaks when.\n"
       "After an interruption the same command continues ply, pcd and gltf and keeps complete "
       "files;\n"
       "the other formats start again and need a new folder.\n"
       "Examples:\n"
       "  roomcast export lab.mcap --format ply --out clouds --every 30 --voxel 0.01\n"
       "  roomcast export lab.mcap --format mesh --out mesh --mesh-files glb,ply\n"
-      "  roomcast export lab.mcap --format video --out film --path walk.json");
+      "  roomcast export lab.mcap --format video --out film --path walk.json\n"
+      "  roomcast export lab.mcap --format wav --out voices --per-person");
   command->callback([options, &chosen] {
     chosen = [options] { return finish("export", run_export(*options)); };
   });

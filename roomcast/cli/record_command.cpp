@@ -34,6 +34,7 @@ struct RecordOptions {
   std::string hub_url;
   std::vector<std::string> rooms;
   TokenOption token;
+  bool no_voices = false;
   bool bundles = false;
   double seconds = 0;
   bool json = false;
@@ -73,6 +74,7 @@ Result<Recorders> start_recorders(const RecordOptions& options,
     recorder.hub_url = options.hub_url;
     recorder.room = room;
     recorder.credential = credential;
+    recorder.voices = !options.no_voices;
     recorder.bundles = options.bundles;
     recorder.path = file_of(options, room);
     recorder.log = stderr_log("record", options.verbose);
@@ -126,6 +128,12 @@ double cpu_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
+/// Of all speakers together.
+double voice_seconds(const recording::RecorderStats& stats) {
+  constexpr double kPacket_s = 0.02;
+  return kPacket_s * static_cast<double>(stats.voice_packets);
+}
+
 void report(const RecordOptions& options, const Recorders& recorders, double elapsed_s,
             const Status& status) {
   nlohmann::json rooms = nlohmann::json::array();
@@ -137,10 +145,13 @@ void report(const RecordOptions& options, const Recorders& recorders, double ela
                      {"file", file},
                      {"frames", stats.frames},
                      {"frame_bytes", stats.frame_bytes},
+                     {"voice_seconds", voice_seconds(stats)},
                      {"file_bytes", std::filesystem::file_size(file)}});
     if (!options.json) {
-      print_out("{}: {} frames, {:.2f} MB\n", file, stats.frames,
+      print_out("{}: {} frames, {:.2f} MB", file, stats.frames,
                 static_cast<double>(std::filesystem::file_size(file)) / 1e6);
+      if (stats.voice_packets > 0) print_out(", {:.0f} s of voices", voice_seconds(stats));
+      print_out("\n");
     }
   }
   if (!options.json) return;
@@ -170,13 +181,14 @@ Outcome run_record(const RecordOptions& options) {
 void add_record_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<RecordOptions>();
   CLI::App* command =
-      app.add_subcommand("record", "Record a room: the frames of the hub, unchanged");
+      app.add_subcommand("record", "Record a room: frames and voices as the hub sends them");
   command->add_option("out", options->out, "New file OUT.mcap; a folder for several rooms")
       ->required();
   add_hub_option(*command, options->hub_url);
   command->add_option("--room", options->rooms,
                       "The room (default: the hub's only one); may be given several times");
   add_token_options(*command, options->token);
+  command->add_flag("--no-voices", options->no_voices, "Leave out people's voices");
   command->add_flag("--bundles", options->bundles,
                     "Record calibration bundles, too; needs an admin's token");
   command->add_option("--seconds", options->seconds, "Stop after this time (default: Ctrl-C)")

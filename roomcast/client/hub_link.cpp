@@ -245,6 +245,7 @@ void HubLink::ping() {
 void HubLink::take(net::MessageBuffer message) {
   const auto type = wire::message_type(message.payload());
   if (type && *type == wire::MessageType::kFrame) return events_.on_frame(std::move(message));
+  if (type && *type == wire::MessageType::kAudio) return events_.on_audio(std::move(message));
   take_control(message.payload());
 }
 

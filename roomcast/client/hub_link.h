@@ -39,6 +39,8 @@ class HubLinkEvents {
   /// A message that the link does not handle itself.
   virtual void on_control(const wire::pb::Control& message) = 0;
   virtual void on_frame(net::MessageBuffer message) = 0;
+  /// Somebody's voice, for clients that join as listeners (wire.md section 6).
+  virtual void on_audio(net::MessageBuffer message) { (void)message; }
   /// No more messages are in the data read so far.
   virtual void on_frames_done() {}
   /// The next frame to send, null for none; asked again after wake().

@@ -11,6 +11,7 @@ import './parts.test.mjs';
 import './picture.test.mjs';
 import './places.test.mjs';
 import './playback.test.mjs';
+import './recorded_voices.test.mjs';
 import './recordings.test.mjs';
 import './room.test.mjs';
 import './security.test.mjs';

@@ -9,8 +9,8 @@ import { startBrowser } from './browser.mjs';
 import { adminsToken, requireBuilt, startHub, startSensor } from './programs.mjs';
 import { slow } from './waiting.mjs';
 
-/** The room's `hub`, `token`, `sensor` and `browser`, from the first test on; `data` is the hub's folder. */
-export function oneSensorRoom(name) {
+/** The room's `hub`, `token`, `sensor` and `browser`, from the first test on; `data` is the hub's folder. `more` are arguments of the browser. */
+export function oneSensorRoom(name, { more = [] } = {}) {
   const room = { data: mkdtempSync(join(tmpdir(), `roomcast-${name}-`)) };
 
   before(async () => {
@@ -18,7 +18,7 @@ export function oneSensorRoom(name) {
     room.hub = await startHub(0, { data: room.data });
     room.token = await adminsToken(room.data);
     room.sensor = startSensor(room.hub, 0, { fps: 3 });
-    room.browser = await startBrowser({ width: 1000, height: 640 });
+    room.browser = await startBrowser({ width: 1000, height: 640, more });
   }, slow);
 
   after(async () => {

@@ -10,14 +10,14 @@ import { after, before, describe, test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
 import { seriousFindings } from './accessibility.mjs';
 import { openPage, startBrowser } from './browser.mjs';
-import { findChirp, period_s, rate_hz, writeChirp } from './chirp.mjs';
+import { findChirp, period_s, writeChirp } from './chirp.mjs';
+import { chirpTimes, clear, listenIn } from './listening.mjs';
 import { adminsToken, requireBuilt, startHub } from './programs.mjs';
 import { panelText, slow, stateOf, until } from './waiting.mjs';
 
 const { WebSocket } = createRequire(new URL('../../web/package.json', import.meta.url))('ws');
 const longestMouthToEar_ms = 400; // on a busy machine, too; docs/benchmarks/web.md has the figure of a quiet one
 const chirps = 8;
-const clear = 0.5; // likeness of a chirp that was heard
 
 const data = mkdtempSync(join(tmpdir(), 'roomcast-voice-'));
 const sound = join(data, 'chirp.wav');
@@ -37,30 +37,6 @@ after(async () => {
   rmSync(data, { recursive: true, force: true });
 }, slow);
 
-/** Runs before the page's own scripts: keeps the last 0.7 s of what the microphone gives and of what is played. */
-function listenIn() {
-  const tap = (context, source) => {
-    const analyser = new AnalyserNode(context, { fftSize: 32768 });
-    connect.call(source, analyser);
-    return () => {
-      const samples = new Float32Array(analyser.fftSize);
-      analyser.getFloatTimeDomainData(samples);
-      return { samples: [...samples], end_ms: performance.timeOrigin + performance.now(), out_s: context.outputLatency };
-    };
-  };
-  const { connect } = AudioNode.prototype;
-  const { createMediaStreamSource } = AudioContext.prototype;
-  AudioContext.prototype.createMediaStreamSource = function (stream) {
-    const source = createMediaStreamSource.call(this, stream);
-    window.mouth = tap(this, source);
-    return source;
-  };
-  AudioNode.prototype.connect = function (to, ...more) {
-    if (to instanceof AudioDestinationNode) window.ear = tap(this.context, this);
-    return connect.call(this, to, ...more);
-  };
-}
-
 const button = (page) => page.getByRole('button', { name: 'Microphone' });
 const voiceOf = (page) => page.evaluate(() => window.roomcast.voice());
 const heard = (page) => page.evaluate(() => window.ear?.());
@@ -72,21 +48,6 @@ async function open(browser, name, more = '') {
   const page = await openPage(browser.context, `${hub.page}?panel=1&mode=points&name=${name}${more}`);
   await joined(page);
   return page;
-}
-
-/** Page times, ms, at which chirps begin in what `ask` returns, for as long as it takes to find `count`. */
-async function chirpTimes(ask, count) {
-  const times = [];
-  const deadline = Date.now() + 60_000;
-  while (times.length < count && Date.now() < deadline) {
-    const { samples, end_ms, out_s } = await ask();
-    const { at, likeness } = findChirp(samples);
-    const time_ms = end_ms - (1000 * (samples.length - at)) / rate_hz;
-    const isNew = times.every((other) => Math.abs(other.time_ms - time_ms) > 500 * period_s);
-    if (likeness > clear && isNew) times.push({ time_ms, likeness, out_ms: 1000 * out_s });
-    await delay(150);
-  }
-  return times;
 }
 
 describe('two people', () => {

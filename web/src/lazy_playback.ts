@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The controls of a recording are loaded when one is played; nobody else waits for them.
-import type { PlaybackBar } from './playback/playback_bar';
+import type { PlaybackBar, PlaybackSound } from './playback/playback_bar';
 import type { PlaybackCommand, PlaybackState, ViewFrame } from './stream/protocol';
 
 export interface PlaybackEvents {
   control(command: PlaybackCommand): void;
   room(): string;
+  sound(): PlaybackSound;
   /** The controls could not be loaded. */
   failed(): void;
 }
@@ -35,7 +36,7 @@ export class LazyPlayback {
   private async load(): Promise<void> {
     this.isLoading = true;
     const { PlaybackBar } = await import('./playback/playback_bar');
-    this.bar = new PlaybackBar(this.events.room(), (command) => this.events.control(command));
+    this.bar = new PlaybackBar(this.events.room(), (command) => this.events.control(command), this.events.sound());
     this.bar.show(this.newest!);
   }
 }

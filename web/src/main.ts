@@ -60,6 +60,7 @@ class Page {
   private readonly playback = new LazyPlayback({
     control: (command) => this.link.playback(command),
     room: () => this.state.welcome?.room ?? '',
+    sound: () => this.sound.ofRecording,
     failed: () => this.breakDown(problemTexts.noPlayback),
   });
   private readonly nudges = new SensorNudges();

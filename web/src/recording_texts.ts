@@ -12,6 +12,7 @@ export const recordingTexts = {
   length: (length: string) => `${length} min`,
   size: (megabytes: string) => `${megabytes} MB`,
   sensors: (count: number) => (count === 1 ? '1 sensor' : `${count} sensors`),
+  voices: 'voices',
   by: (name: string) => `by ${name}`,
   changed: (date: string) => `changed ${date}`,
   unread: (count: number) => `The hub is still reading ${count === 1 ? 'one more file' : `${count} more files`}.`,
@@ -47,4 +48,7 @@ export const playbackTexts = {
   loop: 'Repeat',
   live: 'Live room',
   damaged: 'The recording is damaged here: something is missing.',
+  voices: 'Voices',
+  voicesAtOne: 'Voices are heard at speed 1 ×.',
+  awaitsGesture: 'Click anywhere or press a key to hear the voices: browsers ask for that.',
 };

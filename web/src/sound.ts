@@ -27,6 +27,8 @@ export class Sound {
   private voice: Voice | undefined;
   private controls: VoiceControls | undefined;
   private hasFailed = false;
+  private isRecorded = false; // what is said
+  private wantsToHear = true;
 
   constructor(
     private readonly parts: VoiceParts,
@@ -69,12 +71,26 @@ export class Sound {
 
   /** The hub has forwarded audio for which nobody listens yet. */
   spoken(): void {
-    if (!this.loading) void this.ready();
+    if (!this.loading && !hearingObstacle(this.support)) void this.ready();
   }
 
-  follow(viewers: readonly { id: number }[]): void {
+  follow(viewers: readonly { id: number; recordsVoices: boolean }[]): void {
     this.voice?.follow(viewers);
+    const isRecorded = viewers.some(({ recordsVoices }) => recordsVoices);
+    if (isRecorded === this.isRecorded) return;
+    this.isRecorded = isRecorded;
+    this.refresh();
   }
+
+  /** Of a recording that is played. */
+  readonly ofRecording = {
+    hear: (wanted: boolean) => {
+      this.wantsToHear = wanted;
+      this.voice?.hearOthers(wanted);
+    },
+    obstacle: () => hearingObstacle(this.support),
+    awaitsGesture: () => this.voice?.awaitsGesture ?? false,
+  };
 
   /** Undefined before the voice module is there. */
   volumeSlider(viewer: number, name: string): HTMLElement | undefined {
@@ -106,6 +122,7 @@ export class Sound {
     this.controls = this.module.voiceControls(voice);
     this.root.append(this.controls.root);
     voice.setRights(this.rights);
+    voice.hearOthers(this.wantsToHear);
     this.events.loaded();
     return voice;
   }
@@ -132,7 +149,7 @@ export class Sound {
     if (obstacle) return obstacle;
     if (voice?.awaitsGesture) return texts.awaitsGesture;
     if (!voice?.isOn) return texts.off;
-    if (voice.isSending) return texts.sending;
-    return voice.mode === 'push' ? texts.heldBack : texts.waits;
+    const heard = voice.isSending ? texts.sending : voice.mode === 'push' ? texts.heldBack : texts.waits;
+    return this.isRecorded ? `${heard} ${texts.recorded}` : heard;
   }
 }

@@ -118,6 +118,7 @@ export const consoleTexts = {
     title: 'Shown name',
     maxViewers: 'Maximum viewers',
     maxSensors: 'Maximum sensors',
+    recordVoices: 'Recordings have people’s voices',
     listed: 'Listed: shown to people without a token',
     view: 'Who may view',
     send: 'Who may send',
@@ -220,6 +221,7 @@ export const voiceTexts = {
   off: 'Your microphone is off.',
   sending: 'The others hear you.',
   waits: 'The others hear you when you speak.',
+  recorded: 'This room is being recorded, with what is said.',
   notConnected: 'Nobody hears you while this page is not connected to the hub.',
   heldBack: 'The others hear you while you hold V or the button.',
   awaitsGesture: 'Click anywhere or press a key to hear the others: browsers ask for that.',
@@ -245,6 +247,8 @@ export const voiceTexts = {
   volumeOf: (name: string) => `Volume of ${name}`,
   speaks: 'speaks',
   isMuted: 'muted',
+  records: 'records',
+  recordsVoices: 'records, with voices',
 };
 
 export const hintTexts = {

@@ -171,7 +171,8 @@ nlohmann::json recording_json(const RoomRecording& recording) {
 Json kept_recording_json(const KeptRecording& recording) {
   Json json = {{"name", recording.name},         {"state", name_of(recording.state)},
                {"bytes", recording.bytes},       {"seconds", recording.seconds},
-               {"began_at", recording.began_at}, {"sensors", recording.sensors}};
+               {"began_at", recording.began_at}, {"sensors", recording.sensors},
+               {"voices", recording.has_voices}};
   if (!recording.by.empty()) json["by"] = recording.by;
   if (!recording.problem.empty()) json["problem"] = recording.problem;
   return json;

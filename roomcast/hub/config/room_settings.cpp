@@ -106,6 +106,7 @@ std::map<std::string, Reader> readers_into(RoomSettings& s) {
           {"export", into(s.share)},
           {"speak", into(s.speak)},
           {"mark", into(s.mark)},
+          {"record_voices", into(s.record_voices)},
           {"stream_unwatched", into(s.stream_unwatched)},
           {"start_positions", into(s.start_positions)}};
 }
@@ -168,6 +169,7 @@ Json to_json(const RoomSettings& settings) {
           {"export", name_of(settings.share)},
           {"speak", name_of(settings.speak)},
           {"mark", name_of(settings.mark)},
+          {"record_voices", settings.record_voices},
           {"stream_unwatched", settings.stream_unwatched},
           {"start_positions", std::move(positions)}};
 }

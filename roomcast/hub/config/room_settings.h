@@ -53,6 +53,7 @@ struct RoomSettings {
   AccessRule share = AccessRule::kAnyone;           // "export" in JSON
   AccessRule speak = AccessRule::kAnyone;           // of those who may view
   AccessRule mark = AccessRule::kAnyone;            // leave marks
+  bool record_voices = true;                        // recorders get people's voices, too
   bool stream_unwatched = false;                    // sensors send frames while nobody watches, too
   std::vector<StartPosition> start_positions = {};  // used in turn; none: next to the sensors
 };

@@ -27,6 +27,7 @@ TEST(RoomSettings, survive_conversion_to_json) {
                               .record = AccessRule::kNobody,
                               .share = AccessRule::kToken,
                               .speak = AccessRule::kAdmin,
+                              .record_voices = false,
                               .stream_unwatched = true,
                               .start_positions = {{.x_m = 1, .z_m = -2, .eye_height_m = 1.7}}};
   const auto read = changed({}, to_json(settings));
@@ -52,6 +53,7 @@ TEST(RoomSettings, a_wrong_field_or_value_is_named) {
             std::string::npos);
   EXPECT_NE(settings_fault({{"start_positions", {{{"x", 1e300}, {"z", 0}}}}}), "");
   EXPECT_NE(settings_fault({{"listed", 1}}), "");
+  EXPECT_NE(settings_fault({{"record_voices", "nobody"}}), "");
   EXPECT_NE(settings_fault({{"stream_unwatched", "yes"}}), "");
   EXPECT_NE(settings_fault(Json::array()), "");
 }

@@ -91,6 +91,7 @@ KeptRecording kept_from(const std::filesystem::path& path) {
   kept.seconds = std::chrono::duration<double>(summary->end - summary->start).count();
   kept.began_at = seconds_of(summary->start);
   kept.sensors = summary->sensors;
+  kept.has_voices = summary->has_voices;
   if (summary->damage) {
     kept.state = KeptState::kDamaged;
     kept.problem = as_sentence(*summary->damage, path);

@@ -168,8 +168,9 @@ RoomActions Room::key_needed(SensorId id, RoomTime now) {
 }
 
 RoomActions Room::change(RoomSettings settings, RoomTime now) {
-  settings_ = std::move(settings);
+  const bool recorded_voices = std::exchange(settings_, std::move(settings)).record_voices;
   RoomActions out;
+  if (recorded_voices != settings_.record_voices) change_recorded_voices(now, out);
   update_demand(now, out);
   return out;
 }
@@ -347,6 +348,8 @@ pb::Roster Room::roster() const {
     entry.set_name(viewer.name);
     entry.set_color_rgb(viewer.color_rgb);
     entry.set_relays(viewer.relays);
+    entry.set_records(viewer.records);
+    entry.set_records_voices(viewer.records && may_hear(viewer));
   }
   remote_presence_.write_to(roster);
   return roster;

@@ -147,6 +147,8 @@ class Room {
   bool forget_people(const RemotePresence::Change& change);
   void add_voice(ConnectionId connection, const Viewer& viewer, RoomActions& out);
   void send_voices(RoomTime now, RoomActions& out);
+  [[nodiscard]] bool may_hear(const Viewer& viewer) const;
+  void change_recorded_voices(RoomTime now, RoomActions& out);
   void name_other_hubs(const wire::pb::Control& message, RoomActions& out);
   bool evict_for(const std::string& name);
   RoomSensor* known_or_new_sensor(const std::string& name, RoomActions& out);

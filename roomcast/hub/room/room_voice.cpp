@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Voice in a Room: who may send audio packets, who gets them, and who is muted.
+// Voice in a Room: who may send audio packets, who gets and records them, and who is muted.
 #include <utility>
 
 #include "roomcast/hub/room/room.h"
@@ -43,9 +43,23 @@ RoomActions Room::mute(ViewerId viewer, bool muted, RoomTime now) {
 void Room::add_voice(ConnectionId connection, const Viewer& viewer, RoomActions& out) {
   if (!viewer.token_id.empty() && muted_tokens_.contains(viewer.token_id))
     voices_.set_muted(viewer.id, true);
-  if (!viewer.hears) return;
-  voices_.add_listener(viewer.id, connection);
+  if (!may_hear(viewer)) return;
+  voices_.add_listener(viewer.id, connection, viewer.records ? Hearing::kAll : Hearing::kNearest);
   out.push_back(SendControl{{connection}, voices_.message()});
+}
+
+/// It wants to, and does not keep voices in a room whose owner forbids it.
+bool Room::may_hear(const Viewer& viewer) const {
+  return viewer.hears && (!viewer.records || settings_.record_voices);
+}
+
+void Room::change_recorded_voices(RoomTime now, RoomActions& out) {
+  for (const auto& [connection, viewer] : viewers_) {
+    if (!viewer.records || !viewer.hears) continue;
+    voices_.forget(viewer.id);
+    add_voice(connection, viewer, out);
+  }
+  send_roster_when_due(now, out);
 }
 
 void Room::send_voices(RoomTime now, RoomActions& out) {

@@ -126,5 +126,36 @@ TEST_F(RoomVoiceTest, nearest_speakers_are_found_by_head_poses) {
   EXPECT_TRUE(reaches(speakers[8]));
 }
 
+TEST_F(RoomVoiceTest, a_recorder_gets_voices_while_the_owner_permits_it_and_all_are_told) {
+  const auto speaker = enter_speaker();
+  pb::Join join = listener_join();
+  join.mutable_viewer()->set_records(true);
+  const auto recorder = enter(join);
+  const auto told = [this] {
+    const auto rosters = messages(actions, pb::Control::kRoster);
+    for (const auto& viewer : rosters.at(0).message.roster().viewers())
+      if (viewer.records()) return viewer.records_voices();
+    ADD_FAILURE() << "no recorder in the roster";
+    return false;
+  };
+  EXPECT_TRUE(told());
+  EXPECT_THAT(all<SendAudio>(speak(speaker, 1s)).at(0).to, UnorderedElementsAre(recorder));
+  actions = room.change({.name = "lab", .record_voices = false}, at(2s));
+  EXPECT_FALSE(told());
+  EXPECT_THAT(all<SendAudio>(speak(speaker, 2s)), IsEmpty());
+  actions = room.change({.name = "lab"}, at(3s));
+  EXPECT_TRUE(told());
+  EXPECT_THAT(all<SendAudio>(speak(speaker, 3s)).at(0).to, UnorderedElementsAre(recorder));
+}
+
+TEST_F(RoomVoiceTest, a_recorder_that_joins_a_room_whose_voices_are_not_recorded_gets_none) {
+  (void)room.change({.name = "lab", .record_voices = false}, at(0s));
+  const auto speaker = enter_speaker();
+  pb::Join join = listener_join();
+  join.mutable_viewer()->set_records(true);
+  enter(join);
+  EXPECT_THAT(all<SendAudio>(speak(speaker, 1s)), IsEmpty());
+}
+
 }  // namespace
 }  // namespace roomcast::hub

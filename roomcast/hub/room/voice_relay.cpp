@@ -20,8 +20,8 @@ float distance_m(const wire::pb::Pose* a, const wire::pb::Pose* b) {
 
 }  // namespace
 
-void VoiceRelay::add_listener(ViewerId viewer, ConnectionId connection) {
-  listeners_.push_back({viewer, connection});
+void VoiceRelay::add_listener(ViewerId viewer, ConnectionId connection, Hearing hearing) {
+  listeners_.push_back({viewer, connection, hearing});
   speakers_changed_ = true;  // it has no choice yet
 }
 
@@ -57,7 +57,8 @@ std::vector<ConnectionId> VoiceRelay::receivers(ViewerId speaker, bool ends, Roo
   to.reserve(listeners_.size());
   for (const Listener& listener : listeners_) {
     if (listener.id == speaker) continue;
-    if (all_are_heard || std::ranges::find(listener.heard, speaker) != listener.heard.end())
+    if (all_are_heard || listener.hearing == Hearing::kAll ||
+        std::ranges::find(listener.heard, speaker) != listener.heard.end())
       to.push_back(listener.connection);
   }
   if (ends) end(speaker);

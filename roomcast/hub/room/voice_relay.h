@@ -15,6 +15,9 @@
 
 namespace roomcast::hub {
 
+/// Which speakers a listener gets while more speak than a person can listen to.
+enum class Hearing { kNearest, kAll };
+
 class VoiceRelay {
  public:
   /// After this time without a packet a speaker has paused.
@@ -26,7 +29,7 @@ class VoiceRelay {
   /// The head of a viewer, world frame; null: it has no pose.
   using HeadOf = std::function<const wire::pb::Pose*(ViewerId)>;
 
-  void add_listener(ViewerId viewer, ConnectionId connection);
+  void add_listener(ViewerId viewer, ConnectionId connection, Hearing hearing = Hearing::kNearest);
   /// The viewer has left.
   void forget(ViewerId viewer);
   /// The packets of a muted viewer go to nobody.
@@ -58,6 +61,7 @@ class VoiceRelay {
   struct Listener {
     ViewerId id;
     ConnectionId connection;
+    Hearing hearing = Hearing::kNearest;
     std::vector<ViewerId> heard = {};  // while more speak than one may hear
   };
 

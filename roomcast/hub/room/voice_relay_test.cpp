@@ -63,6 +63,13 @@ TEST_F(VoiceRelayTest, beyond_eight_speakers_the_nearest_are_heard) {
   }
 }
 
+TEST_F(VoiceRelayTest, a_recorder_gets_all_speakers) {
+  relay.add_listener(ViewerId{50}, ear(50), Hearing::kAll);
+  all_speak(12, 0s);
+  for (std::uint32_t viewer = 1; viewer <= 12; ++viewer)
+    EXPECT_THAT(speak(viewer, 200ms), ElementsAre(ear(50))) << viewer;
+}
+
 TEST_F(VoiceRelayTest, one_of_nine_speakers_hears_the_eight_others) {
   for (std::uint32_t viewer = 1; viewer <= 9; ++viewer) listen(viewer);
   all_speak(9, 0s);

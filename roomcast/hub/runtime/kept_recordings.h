@@ -48,6 +48,7 @@ struct KeptRecording {
   double seconds = 0;
   UnixSeconds began_at = 0;  // of an unreadable one: when the file was changed last
   std::size_t sensors = 0;
+  bool has_voices = false;
 };
 
 struct RecordingList {

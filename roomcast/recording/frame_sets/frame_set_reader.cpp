@@ -3,15 +3,12 @@
 
 #include "roomcast/recording/frame_sets/recorded_sets.h"
 #include "roomcast/recording/frame_sets/rig_sets.h"
+#include "roomcast/recording/room/room_recording.h"
 
 namespace roomcast::recording {
 
 Status check_may_be_exported(const FrameSetReader& reader) {
-  if (reader.may_be_exported()) return {};
-  return Error{
-      ErrorCode::kUnavailable,
-      "this room did not let viewers export when it was recorded; ask its owner for that right "
-      "and record it again"};
+  return reader.may_be_exported() ? Status() : Status(export_is_not_allowed());
 }
 
 Result<std::unique_ptr<FrameSetReader>> open_frame_sets(const std::filesystem::path& path,

@@ -16,6 +16,7 @@
 #include "roomcast/recording/recorder/bundle_link.h"
 #include "roomcast/recording/recorder/unix_clock.h"
 #include "roomcast/recording/room/room_recording_writer.h"
+#include "roomcast/wire/frame_header.h"
 
 namespace roomcast::recording {
 namespace {
@@ -31,6 +32,7 @@ pb::Join join_message(const RecorderOptions& options) {
   join.set_name("recorder");
   show(options.credential, join);
   join.mutable_viewer()->set_records(true);
+  join.mutable_viewer()->set_hears(options.voices);
   return join;
 }
 
@@ -116,6 +118,9 @@ class Recorder::Link final : public client::HubLinkEvents {
       take(Held(message));
   }
   void on_frame(net::MessageBuffer message) override { take(Held(std::move(message))); }
+  void on_audio(net::MessageBuffer message) override {
+    if (options_.voices) take(Held(std::move(message)));
+  }
   net::FramedMessagePtr next_frame() override { return nullptr; }
   void on_clock(const client::ClockEstimate& estimate) override;
   void on_down(const Error& reason, bool final) override;
@@ -207,15 +212,17 @@ Status Recorder::Link::write(const Held& held) {
   const nanoseconds log_time = unix_clock_.at(held.came);
   if (const auto* control = std::get_if<pb::Control>(&held.message))
     return write(*control, log_time);
-  const auto& frame = std::get<net::MessageBuffer>(held.message);
-  const Status status = writer_->add_frame(frame.payload(), log_time);
+  const auto message = std::get<net::MessageBuffer>(held.message).payload();
+  const bool is_voice = *wire::message_type(message) == wire::MessageType::kAudio;
+  const Status status =
+      is_voice ? writer_->add_voice(message, log_time) : writer_->add_frame(message, log_time);
   count();
   return status;
 }
 
 void Recorder::Link::count() {
   std::lock_guard lock(mutex_);
-  stats_ = {writer_->frames(), writer_->frame_bytes(), writer_->bytes()};
+  stats_ = {writer_->frames(), writer_->frame_bytes(), writer_->bytes(), writer_->voice_packets()};
 }
 
 Status Recorder::Link::write(const pb::Control& message, nanoseconds log_time) {

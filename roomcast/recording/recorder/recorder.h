@@ -24,6 +24,7 @@ struct RecorderOptions {
   std::string hub_url;
   std::string room;  // empty: the hub's only room
   client::Credential credential = {};
+  bool voices = true;    // also people's voices, where the owner of the room permits it
   bool bundles = false;  // also record calibration bundles, for placing; needs an admin token
   std::filesystem::path path;
   std::string by = {};  // who started it, for the file; may be empty
@@ -37,6 +38,7 @@ struct RecorderStats {
   std::uint64_t frames = 0;
   std::uint64_t frame_bytes = 0;  // as the hub sent them
   std::uint64_t file_bytes = 0;
+  std::uint64_t voice_packets = 0;
 };
 
 class Recorder {

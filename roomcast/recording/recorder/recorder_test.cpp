@@ -124,6 +124,38 @@ TEST_F(RecorderTest, keeps_the_marks_of_the_room) {
   EXPECT_EQ(kept[0], said.marks().SerializeAsString());
 }
 
+TEST_F(RecorderTest, keeps_voices_unless_they_are_not_wanted) {
+  for (const bool wanted : {true, false}) {
+    path = folder / (wanted ? "with.mcap" : "without.mcap");
+    RecorderOptions options;
+    options.voices = wanted;
+    ASSERT_TRUE(open(std::move(options)).ok());
+    on_hub([&](client::FakeHub& h) { EXPECT_EQ(h.heard.back().join().viewer().hears(), wanted); });
+    say_roster();
+    const std::vector<std::uint8_t> payload{0x78, 1, 2};
+    const auto said = RecordingFixtureRoom::voice(7, 3, RecordingFixtureRoom::capture(0), payload);
+    on_hub([&](client::FakeHub& h) { h.say(net::frame_message(net::MessageBuffer(said))); });
+    say_frame(0, wanted ? 0 : 5);
+    EXPECT_TRUE(within_5_s([&] { return recorder->stats().frames == 1; }));
+    EXPECT_EQ(recorder->stats().voice_packets, wanted ? 1u : 0u);
+    ASSERT_TRUE(recorder->finish().ok());
+    recorder.reset();
+    const auto file = RoomRecording::open(path);
+    ASSERT_TRUE(file.ok());
+    recording::RecordingCursor cursor(*file);
+    recording::RecordedMessage message;
+    std::vector<std::vector<std::uint8_t>> kept;
+    while (*cursor.next(message)) {
+      if (message.kind != recording::MessageKind::kVoice) continue;
+      kept.emplace_back(message.message.data.begin(), message.message.data.end());
+    }
+    EXPECT_EQ(kept.size(), wanted ? 1u : 0u);
+    if (wanted) {
+      EXPECT_EQ(kept.front(), said);
+    }
+  }
+}
+
 /// Nobody knows whether the hub has answered at the moment of the request.
 TEST_F(RecorderTest, that_is_stopped_while_it_opens_leaves_a_whole_file_or_none) {
   int opened = 0;

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/frame_header.h"
 
 namespace roomcast::recording {
@@ -14,6 +15,11 @@ bool is_sound(const recording::mcap::Message& message) {
 
 bool is_sound_frame(const recording::mcap::Message& message) {
   const auto header = wire::parse_frame(message.data);
+  return header && is_plausible(header->capture_time.time_since_epoch());
+}
+
+bool is_sound_voice(const recording::mcap::Message& message) {
+  const auto header = wire::parse_audio(message.data);
   return header && is_plausible(header->capture_time.time_since_epoch());
 }
 
@@ -31,6 +37,8 @@ Result<bool> RecordingCursor::next(RecordedMessage& out) {
   out.message = chunk_.messages[next_message_++];
   out.kind = is_sound(out.message) ? recording_->kind_of(out.message.channel) : MessageKind::kOther;
   if (out.kind == MessageKind::kFrame && !is_sound_frame(out.message))
+    out.kind = MessageKind::kOther;
+  if (out.kind == MessageKind::kVoice && !is_sound_voice(out.message))
     out.kind = MessageKind::kOther;
   return true;
 }

@@ -11,7 +11,8 @@
 namespace roomcast::recording {
 
 struct RecordedMessage {
-  /// kFrame only if wire::parse_frame accepts the message and its times are plausible.
+  /// kFrame only if wire::parse_frame accepts the message and its times are plausible; kVoice
+  /// likewise by wire::parse_audio.
   MessageKind kind = MessageKind::kOther;
   recording::mcap::Message message;  // data is valid until the next call of next()
 };

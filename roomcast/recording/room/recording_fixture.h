@@ -13,6 +13,7 @@
 #include "roomcast/client/room/calibration_message.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/recording/room/room_recording_writer.h"
+#include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/pose_message.h"
 
@@ -109,6 +110,21 @@ class RecordingFixtureRoom {
     header.capture_time = RoomTime(capture(instant));
     header.payload_length = static_cast<std::uint32_t>(bytes.size() - wire::kFrameHeaderBytes);
     wire::write_frame_header(header, std::span(bytes).first<wire::kFrameHeaderBytes>());
+    return bytes;
+  }
+
+  /// An audio packet of 20 ms as a hub forwards it; `payload` is not looked at.
+  static std::vector<std::uint8_t> voice(std::uint32_t speaker, std::uint32_t seq,
+                                         nanoseconds captured,
+                                         std::span<const std::uint8_t> payload, bool ends = false) {
+    std::vector<std::uint8_t> bytes(wire::kAudioHeaderBytes);
+    wire::write_audio_header({.ends = ends,
+                              .speaker = ViewerId{speaker},
+                              .seq = seq,
+                              .capture_time = RoomTime(captured),
+                              .payload_length = static_cast<std::uint16_t>(payload.size())},
+                             std::span(bytes).first<wire::kAudioHeaderBytes>());
+    bytes.insert(bytes.end(), payload.begin(), payload.end());
     return bytes;
   }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "roomcast/core/little_endian.h"
+#include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/control.h"
 #include "roomcast/wire/control_check.h"
 #include "roomcast/wire/frame_header.h"
@@ -240,6 +241,9 @@ void PlayableRecording::add_chunk(std::size_t chunk, nanoseconds after, Builder&
     switch (recording_.kind_of(message.channel)) {
       case MessageKind::kFrame:
         if (wire::parse_frame(message.data)) part.add(message.log_time, message.data);
+        continue;
+      case MessageKind::kVoice:
+        if (wire::parse_audio(message.data)) part.add(message.log_time, message.data);
         continue;
       case MessageKind::kRoster:
         *control.mutable_roster() = recording_.roster_at(message.log_time);

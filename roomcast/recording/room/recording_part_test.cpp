@@ -170,6 +170,32 @@ TEST_F(RecordingPartTest, and_those_that_follow_have_every_frame_once) {
   EXPECT_EQ(part.until_us, 3'900'000u);
 }
 
+TEST_F(RecordingPartTest, has_voices_as_they_were_sent_and_none_of_the_past) {
+  const std::vector<std::uint8_t> payload{0x78, 1, 2};
+  const auto at = [](int n) { return RecordingFixtureRoom::came(0) + n * 20ms; };
+  const auto said = [&](int n) {
+    return RecordingFixtureRoom::voice(7, static_cast<std::uint32_t>(n),
+                                       RecordingFixtureRoom::capture(0) + n * 20ms, payload);
+  };
+  {
+    auto writer = RoomRecordingWriter::create(path, "lab");
+    ASSERT_TRUE(writer->add_clock({RecordingFixtureRoom::kUnixMinusRoom, {}}, at(0)).ok());
+    ASSERT_TRUE(writer->add_roster(room.roster(), at(0)).ok());
+    for (int n = 0; n < 100; ++n) ASSERT_TRUE(writer->add_voice(said(n), at(n)).ok());
+    ASSERT_TRUE(writer->finish().ok());
+  }
+  const auto recording = open();
+  const std::string moment = recording.moment(1s);
+  const ReadPart part = read_part(moment);
+  int next = 51;
+  for (const PartRecord& record : part.records) {
+    if (*wire::message_type(record.message) != wire::MessageType::kAudio) continue;
+    EXPECT_FALSE(record.past);
+    EXPECT_TRUE(std::ranges::equal(record.message, said(next++)));
+  }
+  EXPECT_GT(next, 51);
+}
+
 TEST_F(RecordingPartTest, of_a_time_out_of_range_is_the_first_or_last) {
   room.record(path, 12);
   const auto recording = open();

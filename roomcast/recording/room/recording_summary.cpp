@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/recording/room/recording_summary.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "roomcast/recording/room/room_recording.h"
@@ -14,15 +15,13 @@ std::string value_of(const mcap::StringMap& map, std::string_view key) {
   return found == map.end() ? std::string() : found->second;
 }
 
-std::size_t count_sensors(const mcap::Summary& summary) {
-  std::size_t sensors = 0;
-  for (const auto& [id, channel] : summary.channels) {
-    const auto count = summary.statistics.channel_message_counts.find(id);
-    const bool has_messages =
-        count != summary.statistics.channel_message_counts.end() && count->second > 0;
-    if (has_messages && channel.message_encoding == kFrameEncoding) ++sensors;
-  }
-  return sensors;
+/// Channels of this encoding that have messages.
+std::size_t count_channels(const mcap::Summary& summary, std::string_view encoding) {
+  return static_cast<std::size_t>(std::ranges::count_if(summary.channels, [&](const auto& entry) {
+    const auto& counts = summary.statistics.channel_message_counts;
+    const auto count = counts.find(entry.first);
+    return count != counts.end() && count->second > 0 && entry.second.message_encoding == encoding;
+  }));
 }
 
 }  // namespace
@@ -59,7 +58,8 @@ Result<RecordingSummary> summarize_recording(const std::filesystem::path& path) 
   return RecordingSummary{.about = *std::move(about),
                           .start = file->summary().statistics.start_time,
                           .end = file->summary().statistics.end_time,
-                          .sensors = count_sensors(file->summary()),
+                          .sensors = count_channels(file->summary(), kFrameEncoding),
+                          .has_voices = count_channels(file->summary(), kVoiceEncoding) > 0,
                           .damage = file->damage()};
 }
 

@@ -23,8 +23,9 @@ struct AboutRecording {
 
 struct RecordingSummary {
   AboutRecording about;
-  nanoseconds start{}, end{};         // since 1970
-  std::size_t sensors = 0;            // with frames
+  nanoseconds start{}, end{};  // since 1970
+  std::size_t sensors = 0;     // with frames
+  bool has_voices = false;
   std::optional<std::string> damage;  // why the end is missing, as a sentence
 };
 

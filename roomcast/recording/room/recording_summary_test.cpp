@@ -27,7 +27,26 @@ TEST_F(RecordingSummaryTest, has_room_times_and_sensors) {
   EXPECT_EQ(summary->start, RecordingFixtureRoom::came(0));
   EXPECT_EQ(summary->end, RecordingFixtureRoom::came(11));
   EXPECT_EQ(summary->sensors, 2u);
+  EXPECT_FALSE(summary->has_voices);
   EXPECT_FALSE(summary->damage.has_value());
+}
+
+TEST_F(RecordingSummaryTest, says_whether_voices_are_in_it) {
+  {
+    auto writer = RoomRecordingWriter::create(path, "lab");
+    const std::uint8_t payload = 0x78;
+    const auto packet =
+        RecordingFixtureRoom::voice(1, 0, RecordingFixtureRoom::capture(0), {&payload, 1});
+    ASSERT_TRUE(writer->add_voice(packet, RecordingFixtureRoom::came(0)).ok());
+    ASSERT_TRUE(writer->add_voice(room.frame(0, 0), RecordingFixtureRoom::came(0)).ok())
+        << "ignored";
+    EXPECT_EQ(writer->voice_packets(), 1u);
+    ASSERT_TRUE(writer->finish().ok());
+  }
+  const auto summary = summarize_recording(path);
+  ASSERT_TRUE(summary.ok()) << summary.error().message;
+  EXPECT_TRUE(summary->has_voices);
+  EXPECT_EQ(summary->sensors, 0u);
 }
 
 TEST_F(RecordingSummaryTest, has_who_started_it_also_when_export_is_forbidden) {

@@ -29,6 +29,16 @@ bool holds(const recording::mcap::ChunkIndex& chunk, recording::mcap::ChannelId 
 
 }  // namespace
 
+Error export_is_not_allowed() {
+  return {ErrorCode::kUnavailable,
+          "this room did not let viewers export when it was recorded; ask its owner for that right "
+          "and record it again"};
+}
+
+Status check_may_be_exported(const RoomRecording& recording) {
+  return recording.may_be_exported() ? Status() : Status(export_is_not_allowed());
+}
+
 Result<RoomRecording> RoomRecording::open(const std::filesystem::path& path) {
   auto file = recording::mcap::Reader::open(path);
   if (!file) return file.error();
@@ -75,6 +85,7 @@ MessageKind RoomRecording::kind_of(recording::mcap::ChannelId id) const {
   if (channel.topic == kRosterTopic) return MessageKind::kRoster;
   if (channel.topic == kPosesTopic) return MessageKind::kPoses;
   if (channel.topic == kMarksTopic) return MessageKind::kMarks;
+  if (channel.topic == kVoicesTopic) return MessageKind::kVoice;
   if (channel.topic == kClockTopic) return MessageKind::kClock;
   if (!channel.topic.starts_with(kSensorPrefix)) return MessageKind::kOther;
   if (channel.message_encoding == kFrameEncoding) return MessageKind::kFrame;

@@ -38,7 +38,13 @@ struct RecordedSensor {
   return time.count() > -kFarthest && time.count() < kFarthest;
 }
 
-enum class MessageKind { kFrame, kRoster, kPoses, kMarks, kBundle, kClock, kOther };
+enum class MessageKind { kFrame, kRoster, kPoses, kMarks, kVoice, kBundle, kClock, kOther };
+
+class RoomRecording;
+
+/// kUnavailable, with a sentence, if the recording may not be exported.
+[[nodiscard]] Status check_may_be_exported(const RoomRecording& recording);
+[[nodiscard]] Error export_is_not_allowed();
 
 class RoomRecording {
  public:

@@ -8,6 +8,7 @@
 
 #include "roomcast/recording/room/room_recording.h"
 #include "roomcast/recording/room_channels.h"
+#include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/frame_header.h"
 
 namespace roomcast::recording {
@@ -31,9 +32,9 @@ recording::mcap::SchemaId add_clock_schema(recording::mcap::Writer& writer) {
                            {reinterpret_cast<const std::uint8_t*>(kText.data()), kText.size()});
 }
 
-/// No reader could place another frame in time.
-bool can_be_dated(const wire::FrameHeader& header, const RoomClock& clock) {
-  const nanoseconds captured = header.capture_time.time_since_epoch();
+/// No reader could place another message in time.
+bool can_be_dated(RoomTime captured_at, const RoomClock& clock) {
+  const nanoseconds captured = captured_at.time_since_epoch();
   return is_plausible(captured) && is_plausible(clock.unix_minus_room) &&
          is_plausible(captured + clock.unix_minus_room);
 }
@@ -53,6 +54,7 @@ RoomRecordingWriter::RoomRecordingWriter(recording::mcap::Writer writer, std::st
   schemas_.roster = add_schema(writer_, *wire::pb::Roster::descriptor());
   schemas_.poses = add_schema(writer_, *wire::pb::ViewerPoses::descriptor());
   schemas_.marks = add_schema(writer_, *wire::pb::Marks::descriptor());
+  schemas_.voice = writer_.add_schema("roomcast.Audio", "", {});
   schemas_.bundle = add_schema(writer_, *wire::pb::CalibrationBundle::descriptor());
   schemas_.clock = add_clock_schema(writer_);
 }
@@ -104,10 +106,11 @@ Status RoomRecordingWriter::add(Stream& stream, const google::protobuf::MessageL
 
 Status RoomRecordingWriter::settle_chunk(Status status) {
   if (!writer_.chunk_is_empty()) return status;
-  const Frames done = std::exchange(in_chunk_, {});
+  const Counts done = std::exchange(in_chunk_, {});
   if (!status) return status;
   written_.frames += done.frames;
   written_.bytes += done.bytes;
+  written_.voices += done.voices;
   return status;
 }
 
@@ -154,12 +157,20 @@ Status RoomRecordingWriter::add_bundle(const wire::pb::CalibrationBundle& bundle
 
 Status RoomRecordingWriter::add_frame(std::span<const std::uint8_t> message, nanoseconds log_time) {
   const auto header = wire::parse_frame(message);
-  if (!header || !can_be_dated(*header, clock_)) return {};
+  if (!header || !can_be_dated(header->capture_time, clock_)) return {};
   const auto sensor = frame_streams_.find(header->sensor.value);
   if (sensor == frame_streams_.end()) return {};
   ++in_chunk_.frames;
   in_chunk_.bytes += message.size();
   return add(*sensor->second, message, log_time,
+             header->capture_time.time_since_epoch() + clock_.unix_minus_room);
+}
+
+Status RoomRecordingWriter::add_voice(std::span<const std::uint8_t> message, nanoseconds log_time) {
+  const auto header = wire::parse_audio(message);
+  if (!header || !can_be_dated(header->capture_time, clock_)) return {};
+  ++in_chunk_.voices;
+  return add(stream(kVoicesTopic, schemas_.voice, kVoiceEncoding), message, log_time,
              header->capture_time.time_since_epoch() + clock_.unix_minus_room);
 }
 

@@ -49,6 +49,9 @@ class RoomRecordingWriter {
   /// impossible times, are ignored.
   [[nodiscard]] Status add_frame(std::span<const std::uint8_t> message, nanoseconds log_time);
 
+  /// `message`: audio packet with header. Others, and those of impossible times, are ignored.
+  [[nodiscard]] Status add_voice(std::span<const std::uint8_t> message, nanoseconds log_time);
+
   /// Must be called regularly, also while no messages arrive.
   [[nodiscard]] Status close_old_chunk(nanoseconds now);
   [[nodiscard]] Status finish();
@@ -57,6 +60,8 @@ class RoomRecordingWriter {
   /// Frames in the file and in the newest chunk, which a disk error can still take away.
   [[nodiscard]] std::uint64_t frames() const { return written_.frames + in_chunk_.frames; }
   [[nodiscard]] std::uint64_t frame_bytes() const { return written_.bytes + in_chunk_.bytes; }
+  /// Likewise.
+  [[nodiscard]] std::uint64_t voice_packets() const { return written_.voices + in_chunk_.voices; }
 
  private:
   struct Stream {
@@ -64,14 +69,14 @@ class RoomRecordingWriter {
     std::uint32_t next_sequence = 0;
   };
   struct Schemas {
-    recording::mcap::SchemaId frame, roster, poses, marks, bundle, clock;
+    recording::mcap::SchemaId frame, roster, poses, marks, voice, bundle, clock;
   };
 
-  struct Frames {
-    std::uint64_t frames = 0, bytes = 0;
+  struct Counts {
+    std::uint64_t frames = 0, bytes = 0, voices = 0;
   };
 
-  /// Counts the frames of a chunk that was just written, or was lost (`status`).
+  /// Counts the messages of a chunk that was just written, or was lost (`status`).
   Status settle_chunk(Status status);
   RoomRecordingWriter(recording::mcap::Writer writer, std::string room, const std::string& by);
   Stream& stream(std::string_view topic, recording::mcap::SchemaId schema,
@@ -88,7 +93,7 @@ class RoomRecordingWriter {
   std::map<std::uint32_t, std::string> sensors_;
   std::map<std::uint32_t, Stream*> frame_streams_;  // of the sensors in the last roster
   nanoseconds chunk_began_{};
-  Frames written_, in_chunk_;
+  Counts written_, in_chunk_;
   std::string scratch_;
 };
 

@@ -17,6 +17,7 @@ export interface RoomSettings {
   export?: Who;
   speak?: Who;
   mark?: Who;
+  record_voices?: boolean;
 }
 
 export interface HubRoom extends RoomSettings {

@@ -7,6 +7,7 @@ const one = { name: 'one', state: 'whole', bytes: 34_200_000, seconds: 151, bega
 describe('a recording in the list', () => {
   test('says when it was made, how long and large it is, and by whom', () => {
     expect(factsOf({ ...one, by: 'Ada' })).toMatch(/^14 Nov 2023, .* · 2:31 min · 34\.20 MB · 3 sensors · by Ada$/);
+    expect(factsOf({ ...one, voices: true })).toMatch(/ · 3 sensors · voices$/);
     expect(factsOf(one)).not.toMatch(/by/);
   });
 

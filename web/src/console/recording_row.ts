@@ -16,13 +16,14 @@ export interface RecordingRowEvents {
   rename(name: string, to: string): Promise<boolean>;
 }
 
-/** "12 Nov 2026, 10:15 · 2:31 min · 34.2 MB · 3 sensors · by Ada" */
-export function factsOf({ state, began_at, seconds, bytes, sensors, by }: KeptRecording): string {
+/** "12 Nov 2026, 10:15 · 2:31 min · 34.2 MB · 3 sensors · voices · by Ada" */
+export function factsOf({ state, began_at, seconds, bytes, sensors, voices, by }: KeptRecording): string {
   const date = new Date(1000 * began_at).toLocaleString('en-GB', { dateStyle: 'medium', timeStyle: 'short' });
   const isRead = state !== 'unreadable';
   const facts = isRead
     ? [date, texts.length(duration(seconds)), texts.size(megabytes(bytes)), texts.sensors(sensors)]
     : [texts.changed(date), texts.size(megabytes(bytes))];
+  if (isRead && voices) facts.push(texts.voices);
   return [...facts, ...(by ? [texts.by(by)] : [])].join(' · ');
 }
 

@@ -11,6 +11,7 @@ export interface KeptRecording {
   began_at: number; // seconds since 1970
   by?: string;
   sensors: number;
+  voices?: boolean; // absent at a hub of an earlier version
 }
 
 export interface RecordingList {

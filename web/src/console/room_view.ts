@@ -40,6 +40,7 @@ export class RoomView {
     const title = textField(longestName, room.title);
     const maxViewers = numberField(1, mostViewers, room.max_viewers);
     const maxSensors = numberField(1, mostSensors, room.max_sensors ?? mostSensors);
+    const recordVoices = checkbox(room.record_voices ?? false);
     const listed = checkbox(room.listed ?? true);
     const rights = (['view', 'speak', 'mark', 'send', 'record', 'export'] as const).map((right) => ({
       right,
@@ -50,6 +51,7 @@ export class RoomView {
       labelled(texts.maxViewers, maxViewers),
       labelled(texts.maxSensors, maxSensors),
       ...rights.map(({ right, field }) => labelled(texts[right], field)),
+      labelled(texts.recordVoices, recordVoices, 'field box'),
       labelled(texts.listed, listed, 'field box'),
       submit(texts.save),
     );
@@ -61,6 +63,7 @@ export class RoomView {
           max_viewers: Number(maxViewers.value),
           max_sensors: Number(maxSensors.value),
           listed: listed.checked,
+          ...(room.record_voices !== undefined && { record_voices: recordVoices.checked }),
           ...Object.fromEntries(rights.map(({ right, field }) => [right, field.value as Who])),
         });
         setText(this.said, texts.saved);

@@ -26,6 +26,11 @@ export function nameOf({ id, name }: Pick<ViewerEntry, 'id' | 'name'>): string {
   return name || texts.person(id);
 }
 
+function recordingOf({ records, recordsVoices }: ViewerEntry): string {
+  if (!records) return '';
+  return recordsVoices ? voiceTexts.recordsVoices : voiceTexts.records;
+}
+
 export class PeopleList {
   readonly root = element('ul', { class: 'people' });
   private readonly list = new KeyedList<Person>(this.root, ({ viewer }) => String(viewer.id), (person) => this.row(person));
@@ -63,12 +68,12 @@ export class PeopleList {
     const update = ({ viewer, isSelf, isFollowed, speaks, isMuted }: Person) => {
       swatch.style.background = `#${viewer.colorRgb.toString(16).padStart(6, '0')}`;
       setText(name, isSelf ? texts.you(nameOf(viewer)) : nameOf(viewer));
-      button.hidden = isSelf;
+      button.hidden = isSelf || viewer.records; // a recorder stands nowhere
       button.setAttribute('aria-label', texts.followWhom(nameOf(viewer)));
       button.setAttribute('aria-pressed', String(isFollowed));
-      setText(tag, isMuted ? voiceTexts.isMuted : speaks ? voiceTexts.speaks : '');
+      setText(tag, isMuted ? voiceTexts.isMuted : speaks ? voiceTexts.speaks : recordingOf(viewer));
       root.classList.toggle('speaks', speaks);
-      if (slider || isSelf) return;
+      if (slider || isSelf || viewer.records) return;
       slider = this.volumeSlider(id, nameOf(viewer));
       if (slider) button.before(slider);
     };

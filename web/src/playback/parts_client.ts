@@ -10,6 +10,7 @@ export interface AboutRecording {
   state: 'whole' | 'running' | 'damaged' | 'unreadable';
   seconds: number;
   began_at: number; // seconds since 1970
+  voices?: boolean; // absent at a hub of an earlier version
   problem?: string;
 }
 

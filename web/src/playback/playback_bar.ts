@@ -13,6 +13,15 @@ const step_s = 0.1; // of the timeline by mouse; keys go by a second
 const keyStep_s = 1;
 const pageStep_s = 10;
 
+/** The voices in the recording. */
+export interface PlaybackSound {
+  hear(wanted: boolean): void;
+  /** Why this browser plays no voices, as a sentence, or empty. */
+  obstacle(): string;
+  /** Browsers play no sound before the user has done something. */
+  awaitsGesture(): boolean;
+}
+
 export class PlaybackBar {
   private readonly name = element('strong');
   private readonly date = element('span', { class: 'date' });
@@ -21,7 +30,10 @@ export class PlaybackBar {
   private readonly line = element('input', { type: 'range', min: '0', step: String(step_s), 'aria-label': texts.position });
   private readonly speed = choice(texts.speeds, '1');
   private readonly loops = checkbox(false);
+  private readonly voices = checkbox(true);
+  private readonly voicesField = labelled(texts.voices, this.voices, 'voices');
   private readonly note = element('p', { class: 'note', role: 'status' });
+  private readonly hint = element('p', { class: 'note hint', role: 'status' });
   private readonly watch = new SeekWatch();
   private state: PlaybackState | undefined;
   private isDragged = false; // the line is the person's until it is let go
@@ -29,13 +41,14 @@ export class PlaybackBar {
   constructor(
     room: string,
     private readonly control: (command: PlaybackCommand) => void,
+    private readonly sound: PlaybackSound,
   ) {
     const link = element('a', { href: `?room=${encodeURIComponent(room)}` }, texts.live);
     const title = element('div', { class: 'title' }, this.name, this.date, link);
     const speed = labelled(texts.speed, this.speed, 'speed');
     const loops = labelled(texts.loop, this.loops, 'loops');
-    const controls = element('div', { class: 'controls' }, this.play, this.time, speed, loops);
-    const bar = element('section', { id: 'playback', 'aria-label': texts.title }, title, this.line, controls, this.note);
+    const controls = element('div', { class: 'controls' }, this.play, this.time, this.voicesField, speed, loops);
+    const bar = element('section', { id: 'playback', 'aria-label': texts.title }, title, this.line, controls, this.note, this.hint);
     document.querySelector('main')!.append(bar);
     document.body.classList.add('playing');
     this.listen();
@@ -56,15 +69,25 @@ export class PlaybackBar {
     if (!this.isDragged) this.showPosition(state.position_s);
     if (document.activeElement !== this.speed) this.speed.value = String(state.speed);
     this.loops.checked = state.loops;
+    this.voicesField.hidden = !state.voices;
     setText(this.note, state.isDamaged ? texts.damaged : '');
+    setText(this.hint, state.voices && this.voices.checked ? this.voicesHint(state) : '');
   }
 
   drawn(frames: readonly ViewFrame[]): void {
     this.watch.show(frames, performance.now());
   }
 
+  /** Why voices are not heard, or nothing. */
+  private voicesHint({ paused, speed }: PlaybackState): string {
+    if (this.sound.obstacle()) return this.sound.obstacle();
+    if (speed !== 1) return texts.voicesAtOne;
+    return this.sound.awaitsGesture() && !paused ? texts.awaitsGesture : '';
+  }
+
   private listen(): void {
     const { line } = this;
+    this.voices.addEventListener('change', () => this.sound.hear(this.voices.checked));
     this.play.addEventListener('click', () => this.toggle());
     this.speed.addEventListener('change', () => this.control({ speed: Number(this.speed.value) }));
     this.loops.addEventListener('change', () => this.control({ loops: this.loops.checked }));

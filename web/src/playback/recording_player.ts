@@ -7,6 +7,7 @@ import { WelcomeSchema } from '../gen/control_pb';
 import { playbackTexts as texts } from '../recording_texts';
 import { initialState, pageTime_ms, type ConnectionState, type PlaybackCommand, type PlaybackState, type StartOptions } from '../stream/protocol';
 import type { RoomEvents, RoomSource } from '../stream/room_source';
+import { audioPayload, parseAudioHeader } from '../wire/audio_header';
 import { decodeControl } from '../wire/control';
 import { framePayload, MessageType, messageType, parseFrameHeader, type FrameHeader } from '../wire/frame_header';
 import { WireError } from '../wire/wire_error';
@@ -20,6 +21,7 @@ const longestTurn_ms = 40; // of decoding; then messages of the page and finishe
 const reportEvery_ms = 200;
 const longestSleep_ms = 100;
 const fastSpeed = 2; // from here on, frames that no other one needs are left out
+const voiceSpeed = 1; // voices are heard at no other
 const retries_ms = [1000, 2000, 4000];
 
 type Timer = ReturnType<typeof setTimeout>;
@@ -74,7 +76,7 @@ export class RecordingPlayer implements RoomSource {
 
   control({ seek_s, paused, speed, loops }: PlaybackCommand): void {
     if (loops !== undefined) this.loops = loops;
-    if (speed !== undefined) this.time.setSpeed(speed);
+    if (speed !== undefined) this.setSpeed(speed);
     if (paused !== undefined) this.pause(paused);
     if (seek_s !== undefined) this.seek(seek_s);
     this.tell();
@@ -100,7 +102,13 @@ export class RecordingPlayer implements RoomSource {
   /** At the end, playing begins anew. */
   private pause(paused: boolean): void {
     if (!paused && this.time.position_s >= this.length_s && !this.isSeeking) this.seek(0);
+    if (paused) this.events.silenced();
     this.time.pause(paused);
+  }
+
+  private setSpeed(speed: number): void {
+    this.events.silenced();
+    this.time.setSpeed(speed);
   }
 
   /** While one moment is being sought, only the last one that was asked for in the meantime follows it. */
@@ -129,6 +137,7 @@ export class RecordingPlayer implements RoomSource {
     if (this.wanted_s !== position_s) return;
     this.report('joined');
     this.events.rewound(); // what is being decoded is of another moment
+    this.events.silenced();
     this.waiting = [];
     this.take(part);
     this.seeks++;
@@ -172,6 +181,7 @@ export class RecordingPlayer implements RoomSource {
     if (isShort) {
       this.time.set(this.fetched_s);
       this.time.hold(true);
+      this.events.silenced();
     } else if (position_s >= this.length_s && !this.time.paused && this.waiting.length === 0) {
       return this.atEnd();
     }
@@ -236,11 +246,17 @@ export class RecordingPlayer implements RoomSource {
     try {
       const view = new DataView(message.buffer, message.byteOffset, message.byteLength);
       if (messageType(view) === MessageType.Control) return this.readControl(message);
+      if (messageType(view) === MessageType.Audio) return this.readAudio(message, view);
       const header = parseFrameHeader(view);
       frame(header, framePayload(message, header));
     } catch (error) {
       if (!(error instanceof WireError)) throw error;
     }
+  }
+
+  private readAudio(message: Uint8Array, view: DataView): void {
+    const header = parseAudioHeader(view);
+    if (this.time.speed === voiceSpeed) this.events.audio(header, audioPayload(message, header));
   }
 
   /** What is as it was is not told again: the page would draw for it. */
@@ -293,10 +309,10 @@ export class RecordingPlayer implements RoomSource {
     const position_s = Math.min(time.position_s, this.length_s);
     const isWaiting = this.isSeeking || (position_s >= this.fetched_s && this.next !== undefined);
     const isDamaged = position_s >= this.damaged.from_s && position_s < this.damaged.until_s;
-    const { name, began_at } = about;
+    const { name, began_at, voices = false } = about;
     const { paused, speed } = time;
     const length_s = this.length_s;
-    this.events.playback({ name, began_at, length_s, position_s, paused, speed, loops, isWaiting, isDamaged, seeks, moment });
+    this.events.playback({ name, began_at, length_s, position_s, paused, speed, loops, isWaiting, isDamaged, voices, seeks, moment });
   }
 
   private report(phase: ConnectionState['phase'], facts: Partial<ConnectionState> = {}): void {

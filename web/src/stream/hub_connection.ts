@@ -26,7 +26,7 @@ const silenceCheck_ms = 100;
 const normalClosure = 1000;
 const policyClosure = 4000; // private range: a browser may not send 1002 or 1008
 
-export type HubEvents = Omit<RoomEvents, 'playback' | 'rewound'>;
+export type HubEvents = Omit<RoomEvents, 'playback' | 'rewound' | 'silenced'>;
 
 export class HubConnection implements RoomSource {
   received_bytes = 0;

@@ -87,6 +87,7 @@ export interface PlaybackState {
   loops: boolean;
   isWaiting: boolean; // for the hub
   isDamaged: boolean; // something is missing at the position
+  voices: boolean; // people are heard in it
   seeks: number; // that have been carried out: frames that come after this are of the last one
   moment: readonly { sensor: number; seq: number }[]; // the frames that show the moment that was sought
 }

@@ -23,6 +23,8 @@ export interface RoomEvents {
   disconnected(): void;
   /** Another moment of a recording follows. */
   rewound(): void;
+  /** Audio that has not been heard yet is of another time than what follows. */
+  silenced(): void;
   /** Of a recording. */
   playback(state: PlaybackState): void;
 }

@@ -3,7 +3,7 @@
 // page.
 import type { CodecModule } from '../codec/codec_module';
 import type { Roster } from '../gen/control_pb';
-import type { HeardPacket, SpokenPacket } from '../voice/voice_packet';
+import { silence, type HeardPacket, type SpokenPacket } from '../voice/voice_packet';
 import type { AudioHeader } from '../wire/audio_header';
 import { roomRoster } from '../room_roster';
 import type { FrameHeader } from '../wire/frame_header';
@@ -111,6 +111,7 @@ export class RoomStream {
       audio: (header, payload) => this.hear(header, payload),
       disconnected: () => this.restartSensors(),
       rewound: () => this.rewindSensors(),
+      silenced: () => this.voice?.postMessage(silence),
       playback: (state) => this.post({ kind: 'playback', state }),
     };
     const source = await this.sourceFor(options, events);

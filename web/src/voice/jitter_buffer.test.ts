@@ -173,4 +173,35 @@ describe('a jitter buffer', () => {
     }
     expect(buffer.figures.skipped).toBeGreaterThanOrEqual(100_000 - 51);
   });
+
+  test('that is silenced fades at once, and then plays what is of an earlier time', () => {
+    const buffer = new JitterBuffer();
+    const out = new Float32Array(quantum);
+    const heard: number[] = [];
+    let now_ms = 0;
+    const say = (seq: number, capture_ms: number) => {
+      const samples = Float32Array.from({ length: packetSamples }, (_, n) => voiced(seq * packetSamples + n));
+      buffer.push({ seq, capture_ms, ends: false, samples }, now_ms);
+    };
+    const listenFor = (quanta: number) => {
+      for (let i = 0; i < quanta; i++, now_ms += (1000 * quantum) / sampleRate_hz) {
+        buffer.pull(out, now_ms);
+        heard.push(Math.max(...out.map(Math.abs)));
+      }
+    };
+    for (let seq = 100; seq < 120; seq++) {
+      say(seq, 60_000 + seq * packet_ms);
+      listenFor(7); // 18.7 ms
+    }
+    expect(Math.max(...heard.slice(-7))).toBeGreaterThan(0.3);
+    buffer.silence();
+    listenFor(3);
+    listenFor(40);
+    expect(Math.max(...heard.slice(-40))).toBe(0);
+    for (let seq = 95; seq < 115; seq++) {
+      say(seq, seq * packet_ms);
+      listenFor(7);
+    }
+    expect(Math.max(...heard.slice(-7))).toBeGreaterThan(0.3);
+  });
 });

@@ -22,7 +22,7 @@ export interface JitterFigures {
 }
 
 export class JitterBuffer {
-  readonly delay = new DelayEstimate();
+  delay = new DelayEstimate();
   readonly figures: JitterFigures = { target_ms: 0, played: 0, concealed: 0, skipped: 0 };
   private readonly waiting = new Map<number, PcmPacket>();
   private readonly concealment = new Concealment();
@@ -52,6 +52,15 @@ export class JitterBuffer {
     if (this.newest === undefined || seqDistance(this.newest, seq) > 0) this.newest = seq;
     this.waiting.set(seq, packet);
     if (this.waiting.size > mostWaiting) this.skip(this.first()!);
+  }
+
+  /** What follows is of another time: what waits is dropped, and what is being played fades out. */
+  silence(): void {
+    this.restart();
+    this.delay = new DelayEstimate();
+    const rest = this.ready.slice(this.at, this.at + fadeSamples);
+    this.ready = rest.map((sample, i) => sample * (1 - (i + 1) / rest.length));
+    this.at = 0;
   }
 
   /** Fills `out` with what is to be heard from now on. */

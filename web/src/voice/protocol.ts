@@ -4,8 +4,8 @@
 import type { TalkMode } from './talk_gate';
 
 export type ToVoiceWorker =
-  | { kind: 'hub'; port: MessagePort } // HeardPackets come, SpokenPackets go
-  | { kind: 'player'; speaker: number; port: MessagePort } // PcmPackets go
+  | { kind: 'hub'; port: MessagePort } // HeardPackets and Silence come, SpokenPackets go
+  | { kind: 'player'; speaker: number; port: MessagePort } // PcmPackets and Silence go
   | { kind: 'gone'; speaker: number }
   | { kind: 'microphone'; port: MessagePort } // RecordedBlocks come
   | { kind: 'talk'; mode: TalkMode; isPushed: boolean; isOn: boolean };

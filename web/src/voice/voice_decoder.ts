@@ -26,6 +26,12 @@ export class VoiceDecoder {
     this.decoder!.decode(new EncodedAudioChunk({ type: 'key', timestamp: 1000 * packet_ms * seq, data: payload }));
   }
 
+  /** Drops what is being decoded. */
+  restart(): void {
+    this.close();
+    this.decoder = undefined;
+  }
+
   close(): void {
     if (this.decoder?.state === 'configured') this.decoder.close();
   }

@@ -22,6 +22,10 @@ export interface HeardPacket {
   payload: Uint8Array;
 }
 
+/** In place of packets: what was said before is not to be heard any more, because others follow from another time. */
+export const silence = 'silence';
+export type Silence = typeof silence;
+
 /** An encoded packet on its way to the hub. */
 export interface SpokenPacket {
   capture_ms: number; // page time (stream/protocol.ts)

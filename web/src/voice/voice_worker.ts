@@ -5,7 +5,7 @@ import type { FromVoiceWorker, ToVoiceWorker } from './protocol';
 import { loudnessOf } from './talk_gate';
 import { VoiceDecoder } from './voice_decoder';
 import { VoiceEncoder } from './voice_encoder';
-import type { HeardPacket } from './voice_packet';
+import { silence, type HeardPacket, type Silence } from './voice_packet';
 import type { RecordedBlock } from './worklet';
 
 interface WorkerPort {
@@ -18,7 +18,12 @@ const levelEvery = 5; // blocks
 const mostKept = 25; // packets of a speaker whose player is not there yet
 const mostSpeakers = 64;
 
-const decoders = new Map<number, VoiceDecoder>();
+interface Player {
+  decoder: VoiceDecoder;
+  port: MessagePort;
+}
+
+const players = new Map<number, Player>();
 const kept = new Map<number, HeardPacket[]>(); // of speakers without a player
 let hub: MessagePort | undefined;
 let blocks = 0;
@@ -29,8 +34,8 @@ const encoder = new VoiceEncoder({
 });
 
 function heard(packet: HeardPacket): void {
-  const decoder = decoders.get(packet.speaker);
-  if (decoder) return decoder.take(packet);
+  const player = players.get(packet.speaker);
+  if (player) return player.decoder.take(packet);
   const waiting = kept.get(packet.speaker);
   if (waiting) {
     if (waiting.push(packet) > mostKept) waiting.shift();
@@ -46,9 +51,17 @@ function recorded(block: RecordedBlock): void {
   if (++blocks % levelEvery === 0) page.postMessage({ kind: 'level', loudness, isSent });
 }
 
+function fallSilent(): void {
+  kept.forEach((packets) => (packets.length = 0));
+  for (const { decoder, port } of players.values()) {
+    decoder.restart();
+    port.postMessage(silence);
+  }
+}
+
 function forget(speaker: number): void {
-  decoders.get(speaker)?.close();
-  decoders.delete(speaker);
+  players.get(speaker)?.decoder.close();
+  players.delete(speaker);
   kept.delete(speaker);
 }
 
@@ -56,14 +69,17 @@ page.onmessage = ({ data }) => {
   switch (data.kind) {
     case 'hub':
       hub = data.port;
-      hub.onmessage = ({ data: packet }: MessageEvent<HeardPacket>) => heard(packet);
+      hub.onmessage = ({ data: packet }: MessageEvent<HeardPacket | Silence>) => {
+        if (packet === silence) fallSilent();
+        else heard(packet);
+      };
       return;
     case 'player': {
       const { speaker, port } = data;
       const decoder = new VoiceDecoder((packet) => port.postMessage(packet, [packet.samples.buffer]));
       const waiting = kept.get(speaker) ?? [];
       forget(speaker);
-      decoders.set(speaker, decoder);
+      players.set(speaker, { decoder, port });
       return waiting.forEach((packet) => decoder.take(packet));
     }
     case 'gone':

@@ -3,7 +3,7 @@
 // speaker's packets. They exchange messages with the voice worker directly, past the page, which may be busy drawing.
 // From the page comes that port, and null at the end: a processor that only loses its connections would run on.
 import { JitterBuffer } from './jitter_buffer';
-import { packetSamples, type PcmPacket } from './voice_packet';
+import { packetSamples, silence, type PcmPacket, type Silence } from './voice_packet';
 
 const figuresEvery = 128; // quanta of 128 samples, a third of a second
 
@@ -54,7 +54,10 @@ class Player extends AudioWorkletProcessor {
     this.port.onmessage = ({ data: from }: MessageEvent<MessagePort | null>) => {
       this.isOver = from === null;
       if (!from) return;
-      from.onmessage = ({ data }: MessageEvent<PcmPacket>) => this.buffer.push(data, 1000 * currentTime);
+      from.onmessage = ({ data }: MessageEvent<PcmPacket | Silence>) => {
+        if (data === silence) this.buffer.silence();
+        else this.buffer.push(data, 1000 * currentTime);
+      };
     };
   }
 
