@@ -11,7 +11,10 @@
 
 #include "roomcast/recording/bytes/byte_source.h"
 #include "roomcast/recording/import/azure_kinect_file.h"
+#include "roomcast/recording/import/cwipc_config.h"
 #include "roomcast/recording/import/picture_folder.h"
+#include "roomcast/recording/import/placed_sensor_file.h"
+#include "roomcast/recording/import/record3d_file.h"
 #include "roomcast/recording/import/ros_recording.h"
 #include "roomcast/recording/import/scannet_file.h"
 
@@ -29,6 +32,8 @@ Result<SensorFiles> alone(Result<std::unique_ptr<SensorFile>> file) {
   return files;
 }
 
+Result<SensorFiles> open_cwipc_folder(const fs::path& folder);
+
 using Open = Result<SensorFiles> (*)(const fs::path&);
 
 struct Kind {
@@ -38,7 +43,7 @@ struct Kind {
   Open open;
 };
 
-const std::array<Kind, 6> kKinds = {{
+const std::array<Kind, 8> kKinds = {{
     {"mkv", "\x1A\x45\xDF\xA3", "",
      [](const fs::path& p) { return alone(open_azure_kinect_file(p)); }},
     {"bag", "#ROSBAG V", "", open_ros1_bag},
@@ -46,6 +51,8 @@ const std::array<Kind, 6> kKinds = {{
     {"ros2", "SQLite format 3", "", open_ros2_recording},
     {"sens", std::string_view("\4\0\0\0", 4), ".sens",
      [](const fs::path& p) { return alone(open_scannet_file(p)); }},
+    {"r3d", "PK\3\4", ".r3d", [](const fs::path& p) { return alone(open_record3d_file(p)); }},
+    {"cwipc", "", kCwipcFile, open_cwipc_folder},
     {"pictures", "", kPictureFolderFile, open_picture_folder},
 }};
 
@@ -90,12 +97,59 @@ Result<std::vector<fs::path>> files_in(const fs::path& folder) {
   return files;
 }
 
+/// The recording of a camera of cwipc: of the name that its configuration says, else of its serial
+/// number, as cwipc writes them.
+Result<fs::path> cwipc_recording(const fs::path& folder, const CwipcCamera& camera) {
+  if (!camera.file.empty()) return folder / camera.file;
+  for (const char* ending : {".mkv", ".bag"}) {
+    std::error_code ignored;
+    const fs::path path = folder / (camera.serial + ending);
+    if (!camera.serial.empty() && fs::exists(path, ignored)) return path;
+  }
+  return Error{ErrorCode::kNotFound, (folder / kCwipcFile).string() + " has a camera \"" +
+                                         camera.serial + "\" without a recording beside it"};
+}
+
+std::unique_ptr<SensorFile> placed(std::unique_ptr<SensorFile> file, const CwipcCamera& camera) {
+  const SensorCalibration& calibration = file->info().description.calibration;
+  std::optional<RigidTransform> world_from_depth = camera.world_from_camera;
+  if (world_from_depth && camera.is_color_camera)
+    world_from_depth = *world_from_depth * calibration.color_from_depth;
+  std::vector<std::string> notes;
+  if (!camera.note.empty()) notes.push_back(camera.note);
+  if (!world_from_depth && camera.note.empty())
+    notes.push_back(std::string(kCwipcFile) + " does not say where it is");
+  return std::make_unique<PlacedSensorFile>(std::move(file), world_from_depth, notes);
+}
+
+Result<SensorFiles> open_cwipc_folder(const fs::path& folder) {
+  const auto cameras = read_cwipc_config(folder / kCwipcFile);
+  if (!cameras) return cameras.error();
+  SensorFiles all;
+  for (const CwipcCamera& camera : *cameras) {
+    const auto path = cwipc_recording(folder, camera);
+    if (!path) return path.error();
+    std::error_code ignored;
+    if (!fs::exists(*path, ignored))
+      return Error{ErrorCode::kNotFound, path->string() + " does not exist"};
+    const Kind* const kind = kind_of_file(*path);
+    if (kind == nullptr) return no_format(*path);
+    auto files = kind->open(*path);
+    if (!files) return files.error();
+    for (auto& file : *files) all.push_back(placed(std::move(file), camera));
+  }
+  if (all.empty()) return no_format(folder);
+  return all;
+}
+
 Result<SensorFiles> open_folder(const fs::path& folder) {
   const auto paths = files_in(folder);
   if (!paths) return paths.error();
   SensorFiles all;
   if (std::ranges::find(*paths, folder / kPictureFolderFile) != paths->end())
     return open_picture_folder(folder);
+  if (std::ranges::find(*paths, folder / kCwipcFile) != paths->end())
+    return open_cwipc_folder(folder);
   for (const fs::path& path : *paths) {
     const Kind* const kind = kind_of_file(path);
     if (kind == nullptr) continue;

@@ -49,6 +49,39 @@ TEST(OpenRecording, a_sensor_is_chosen_by_name) {
   EXPECT_THAT(other.error().message, testing::HasSubstr("choose one of 7"));
 }
 
+TEST(OpenRecording, a_folder_of_cwipc_gives_sensors_where_they_are) {
+  const TemporaryFolder folder;
+  write_azure(folder / "left.mkv", "7");
+  write_azure(folder / "8.mkv", "8");
+  write_azure(folder / "not-listed.mkv", "9");
+  put_text(folder / "cameraconfig.json",
+           R"({"camera": [{"serial": "7", "filename": "left.mkv",
+                           "trafo": [[0,-1,0,0.5],[1,0,0,1.25],[0,0,1,-2],[0,0,0,1]]},
+                          {"serial": "8"}]})");
+  for (const bool by_kind : {false, true}) {
+    const auto files = by_kind ? open_recording("cwipc", folder.path()) : open_any(folder.path());
+    ASSERT_TRUE(files.ok()) << files.error().message;
+    ASSERT_EQ(files->size(), 2U);
+    const SensorFileInfo& info = (*files)[0]->info();
+    ASSERT_TRUE(info.description.world_from_depth);
+    // The matrix is of the colour camera: a point 1 m in front of it.
+    const Eigen::Vector3d in_color(0, 0, 1);
+    const Eigen::Vector3d in_depth =
+        info.description.calibration.color_from_depth.inverse() * in_color;
+    const Eigen::Vector3d in_world = *info.description.world_from_depth * in_depth;
+    EXPECT_LT((in_world - Eigen::Vector3d(0.5, 1.25, -1)).norm(), 1e-9);
+    EXPECT_FALSE((*files)[1]->info().description.world_from_depth);
+    EXPECT_THAT((*files)[1]->info().notes.back(), testing::HasSubstr("does not say where it is"));
+    DepthImage depth;
+    EXPECT_TRUE((*files)[0]->read_depth(0, depth).ok());
+  }
+  put_text(folder / "cameraconfig.json", R"({"camera": [{"filename": "gone.mkv"}]})");
+  EXPECT_EQ(open_any(folder.path()).error().code, ErrorCode::kNotFound);
+  put_text(folder / "cameraconfig.json", R"({"camera": [{"serial": "5"}]})");
+  EXPECT_THAT(open_any(folder.path()).error().message,
+              testing::HasSubstr("has a camera \"5\" without a recording beside it"));
+}
+
 TEST(OpenRecording, what_is_no_recording_is_refused) {
   const TemporaryFolder folder;
   put_text(folder / "a.txt", "text");

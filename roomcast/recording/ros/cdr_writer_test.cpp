@@ -16,10 +16,10 @@ TEST(CdrWriter, fields_are_aligned_and_texts_end_with_a_zero) {
   writer.u8(7).u32(0x01020304).text("ab").u8(9).f64(1);
   const auto message = writer.done();
   const std::vector<std::uint8_t> expected = {
-      0, 1, 0,   0,                      // CDR, little-endian
-      7, 0, 0,   0,   4, 3, 2, 1,        // one byte, then four that are aligned
-      3, 0, 0,   0,   'a', 'b', 0, 9,    // length with the zero
-      0, 0, 0,   0,   0, 0, 0xF0, 0x3F,  // eight, aligned from behind the head
+      0, 1, 0, 0,                        // CDR, little-endian
+      7, 0, 0, 0, 4,   3,   2,    1,     // one byte, then four that are aligned
+      3, 0, 0, 0, 'a', 'b', 0,    9,     // length with the zero
+      0, 0, 0, 0, 0,   0,   0xF0, 0x3F,  // eight, aligned from behind the head
   };
   EXPECT_THAT(message, testing::ElementsAreArray(expected));
 }

@@ -78,7 +78,7 @@ Bytes camera_info(const CameraIntrinsics& camera, std::string_view frame, nanose
   for (const double r : {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}) message.f64(r);
   for (const double p : {c.fx, 0.0, c.cx, 0.0, 0.0, c.fy, c.cy, 0.0, 0.0, 0.0, 1.0, 0.0})
     message.f64(p);
-  message.u32(0).u32(0);                       // no binning
+  message.u32(0).u32(0);                      // no binning
   message.u32(0).u32(0).u32(0).u32(0).u8(0);  // the whole picture
   return message.done();
 }
@@ -94,7 +94,8 @@ Bytes sensor_points(DepthView depth_mm, ColorView color, const Image<Eigen::Vect
   const float none = std::numeric_limits<float>::quiet_NaN();
   for (int y = 0; y < depth_mm.height; ++y) {
     for (int x = 0; x < depth_mm.width; ++x, at += kPointBytes) {
-      const float z = depth_mm.at(x, y) == 0 ? none : 0.001F * static_cast<float>(depth_mm.at(x, y));
+      const float z =
+          depth_mm.at(x, y) == 0 ? none : 0.001F * static_cast<float>(depth_mm.at(x, y));
       const Eigen::Vector2f& ray = rays.at(x, y);  // not a number where the lens has no ray
       const bool is_point = std::isfinite(z) && ray.allFinite();
       put_point(at,

@@ -18,8 +18,17 @@ using recording::ros::MessageReader;
 using recording::ros::Serialisation;
 
 constexpr nanoseconds kTime{1'700'000'000'123'456'789};
-const CameraIntrinsics kCamera = {.width = 4, .height = 3, .fx = 5, .fy = 6, .cx = 1.5, .cy = 1,
-                                  .k1 = 0.1, .k2 = 0.2, .k3 = 0.3, .p1 = 0.01, .p2 = 0.02};
+const CameraIntrinsics kCamera = {.width = 4,
+                                  .height = 3,
+                                  .fx = 5,
+                                  .fy = 6,
+                                  .cx = 1.5,
+                                  .cy = 1,
+                                  .k1 = 0.1,
+                                  .k2 = 0.2,
+                                  .k3 = 0.3,
+                                  .p1 = 0.01,
+                                  .p2 = 0.02};
 
 TEST(Ros2Messages, pictures_are_read_back_bit_for_bit) {
   DepthImage depth(4, 3);

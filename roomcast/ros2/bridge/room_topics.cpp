@@ -33,8 +33,7 @@ Result<std::unique_ptr<RoomTopics>> RoomTopics::open(Participant& participant,
   auto points = topics->writer("/points", kPointCloud);
   if (!points) return points.error();
   topics->points_ = *std::move(points);
-  auto transforms =
-      participant.writer({"/tf_static", "tf2_msgs/msg/TFMessage", kStaticTransforms});
+  auto transforms = participant.writer({"/tf_static", "tf2_msgs/msg/TFMessage", kStaticTransforms});
   if (!transforms) return transforms.error();
   topics->transforms_ = *std::move(transforms);
   return topics;
@@ -127,8 +126,8 @@ Status RoomTopics::publish(const recording::FrameSet& set) {
   }
   if (is_new && is_read(*points_)) {
     merged_->merge(set, cloud_);
-    Status done = points_->write(
-        world_points(cloud_, recording::upright_from_world(options_.up), set.time));
+    Status done =
+        points_->write(world_points(cloud_, recording::upright_from_world(options_.up), set.time));
     if (!done) status = done;
   }
   return status;

@@ -36,15 +36,14 @@ class Ros2RoomTopics : public testing::Test {
 };
 
 TEST_F(Ros2RoomTopics, a_room_has_its_cloud_its_poses_and_five_topics_for_each_sensor) {
-  EXPECT_THAT(topics->names(),
-              testing::ElementsAre("/roomcast/far/color/camera_info", "/roomcast/far/color/image_raw",
-                                   "/roomcast/far/depth/camera_info",
-                                   "/roomcast/far/depth/image_raw", "/roomcast/far/points",
-                                   "/roomcast/near/color/camera_info",
-                                   "/roomcast/near/color/image_raw",
-                                   "/roomcast/near/depth/camera_info",
-                                   "/roomcast/near/depth/image_raw", "/roomcast/near/points",
-                                   "/roomcast/points", "/tf_static"));
+  EXPECT_THAT(
+      topics->names(),
+      testing::ElementsAre("/roomcast/far/color/camera_info", "/roomcast/far/color/image_raw",
+                           "/roomcast/far/depth/camera_info", "/roomcast/far/depth/image_raw",
+                           "/roomcast/far/points", "/roomcast/near/color/camera_info",
+                           "/roomcast/near/color/image_raw", "/roomcast/near/depth/camera_info",
+                           "/roomcast/near/depth/image_raw", "/roomcast/near/points",
+                           "/roomcast/points", "/tf_static"));
 }
 
 TEST_F(Ros2RoomTopics, pictures_and_cameras_are_those_of_the_set) {
@@ -75,7 +74,8 @@ TEST_F(Ros2RoomTopics, a_picture_is_sent_once) {
     EXPECT_TRUE(topics->publish(recording::wall_set()).ok());
     return (message = depths->take()) != nullptr;
   }));
-  while (depths->take()) {}
+  while (depths->take()) {
+  }
   ASSERT_TRUE(topics->publish(set).ok());
   ASSERT_TRUE(topics->publish(set).ok());
   ASSERT_TRUE(soon(*participant, [&] { return depths->take() != nullptr; }));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PictureTopic: pictures of one topic of ROS 2 and the CameraInfo beside it. Messages are untrusted:
-// those that cannot be read are left out. Single-threaded.
+// PictureTopic: pictures of one topic of ROS 2 and the CameraInfo beside it. Messages are
+// untrusted: those that cannot be read are left out. Single-threaded.
 #pragma once
 
 #include <memory>

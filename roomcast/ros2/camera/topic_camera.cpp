@@ -73,8 +73,8 @@ class TopicCamera final : public source::Camera {
     auto color = PictureTopic::open(*participant_, place.color);
     if (!color) return color.error();
     color_ = *std::move(color);
-    auto transforms = participant_->reader(
-        {"/tf_static", "tf2_msgs/msg/TFMessage", kAllStaticTransforms});
+    auto transforms =
+        participant_->reader({"/tf_static", "tf2_msgs/msg/TFMessage", kAllStaticTransforms});
     if (!transforms) return transforms.error();
     transforms_ = *std::move(transforms);
     return {};
@@ -122,10 +122,10 @@ class TopicCamera final : public source::Camera {
   }
 
   [[nodiscard]] Error missing(const std::string& topic) const {
-    return {ErrorCode::kNotFound,
-            "nothing came on " + topic + "; does the camera's node run, in ROS_DOMAIN_ID " +
-                std::to_string(environment_.domain) +
-                (environment_.only_localhost ? " on this computer?" : "?")};
+    return {ErrorCode::kNotFound, "nothing came on " + topic +
+                                      "; does the camera's node run, in ROS_DOMAIN_ID " +
+                                      std::to_string(environment_.domain) +
+                                      (environment_.only_localhost ? " on this computer?" : "?")};
   }
 
   [[nodiscard]] static const std::string& frame_of(const PictureTopic& topic) {

@@ -120,9 +120,8 @@ TEST_F(Ros2TopicCamera, depth_alone_is_a_camera) {
   EXPECT_EQ(description.calibration.depth.k1, 0.1);
   EXPECT_NEAR(description.fps, 100, 1);
   std::vector<source::CapturedFrame> frames;
-  source::FramePairing pairing(description.fps, false, [&](source::CapturedFrame& frame) {
-    frames.push_back(frame);
-  });
+  source::FramePairing pairing(description.fps, false,
+                               [&](source::CapturedFrame& frame) { frames.push_back(frame); });
   for (int i = 0; i < 1000 && frames.size() < 3; ++i)
     ASSERT_TRUE((*opened)->wait(pairing, std::chrono::milliseconds(10)).ok());
   ASSERT_GE(frames.size(), 3u);
@@ -134,9 +133,8 @@ TEST_F(Ros2TopicCamera, colour_comes_with_its_place) {
   send_depth();
   send_color();
   node.sends_once("/tf_static", "tf2_msgs/msg/TFMessage",
-                  transforms_message(Serialisation::kRos2,
-                                     {{"base", "depth_frame", {0, 0, 0}},
-                                      {"base", "color_frame", {0.1, 0, 0}}}));
+                  transforms_message(Serialisation::kRos2, {{"base", "depth_frame", {0, 0, 0}},
+                                                            {"base", "color_frame", {0.1, 0, 0}}}));
   node.start();
   const auto opened = open(std::string(kDepth) + "," + kColor);
   ASSERT_TRUE(opened.ok()) << opened.error().message;

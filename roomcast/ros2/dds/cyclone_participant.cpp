@@ -46,9 +46,9 @@ using Qos = std::unique_ptr<dds_qos_t, void (*)(dds_qos_t*)>;
 
 Qos qos_of(const Quality& quality) {
   Qos qos(dds_create_qos(), dds_delete_qos);
-  dds_qset_reliability(
-      qos.get(), quality.is_reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT,
-      kLongestBlocking);
+  dds_qset_reliability(qos.get(),
+                       quality.is_reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT,
+                       kLongestBlocking);
   dds_qset_durability(
       qos.get(), quality.is_latched ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
   dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, quality.depth);
@@ -67,8 +67,8 @@ class CycloneWriter final : public Writer {
     if (message.size() > kMaxMessageBytes)
       return Error{ErrorCode::kTooLarge, "a message is larger than ROS 2 programs take"};
     ROOMCAST_ASSERT(message.size() >= 4 && message.size() % 4 == 0);
-    ddsi_serdata* const sample = new_sample(
-        *type_, std::make_shared<const std::vector<std::uint8_t>>(std::move(message)));
+    ddsi_serdata* const sample =
+        new_sample(*type_, std::make_shared<const std::vector<std::uint8_t>>(std::move(message)));
     const dds_return_t code = dds_writecdr(writer_.id(), sample);  // takes the reference
     if (code < 0) return failure("a message cannot be sent", code);
     return {};
@@ -87,7 +87,8 @@ class CycloneWriter final : public Writer {
 
 class CycloneReader final : public Reader {
  public:
-  CycloneReader(Entity topic, Entity reader) : topic_(std::move(topic)), reader_(std::move(reader)) {}
+  CycloneReader(Entity topic, Entity reader)
+      : topic_(std::move(topic)), reader_(std::move(reader)) {}
 
   [[nodiscard]] Message take() override {
     for (;;) {

@@ -52,8 +52,7 @@ ddsi_serdata* from_fragments(const ddsi_sertype* type, ddsi_serdata_kind kind,
 }
 
 ddsi_serdata* from_pieces(const ddsi_sertype* type, ddsi_serdata_kind kind,
-                          ddsrt_msg_iovlen_t count, const ddsrt_iovec_t* pieces,
-                          std::size_t size) {
+                          ddsrt_msg_iovlen_t count, const ddsrt_iovec_t* pieces, std::size_t size) {
   if (size < kDdsUnit || size > kMaxMessageBytes) return nullptr;
   auto message = std::make_shared<std::vector<std::uint8_t>>();
   message->reserve(size + kDdsUnit);
