@@ -234,6 +234,8 @@ inline const std::vector<Layer> kLayers = {
     {"viewer/xr/test_runtime",
      "",
      "core render/gl viewer/xr"},
+    {"study",
+     "core io"},
     {"hub/config",
      "core geometry net wire"},
     {"hub/access",
@@ -261,7 +263,7 @@ inline const std::vector<Layer> kLayers = {
      "wire"},
     {"hub/daemon",
      "alignment/service core hub/config hub/federation/cluster hub/federation/upstream "
-     "hub/runtime hub/server io net net/tls recording/bytes recording/recorder recording/room wire"},
+     "hub/access hub/runtime hub/server io net net/tls recording/bytes recording/recorder recording/room study wire"},
     {"doctor",
      "core hub/daemon net render/gl source/camera source/drivers",
      "hub/server"},

@@ -67,6 +67,7 @@ void add_measure_command(CLI::App& app, Command& chosen);
 void add_align_command(CLI::App& app, Command& chosen);
 void add_board_command(CLI::App& app, Command& chosen);
 void add_nudge_command(CLI::App& app, Command& chosen);
+void add_study_command(CLI::App& app, Command& chosen);
 void add_token_command(CLI::App& app, Command& chosen);
 void add_bench_command(CLI::App& app, Command& chosen);
 

@@ -26,6 +26,7 @@
 #include "roomcast/hub/daemon/hub_certificate.h"
 #include "roomcast/hub/daemon/hub_recorders.h"
 #include "roomcast/hub/daemon/hub_settings.h"
+#include "roomcast/hub/daemon/hub_study.h"
 #include "roomcast/hub/federation/upstream/upstream_hub.h"
 #include "roomcast/hub/server/hub_server.h"
 #include "roomcast/net/listen_address.h"
@@ -115,6 +116,9 @@ Status check_plan(HubPlan& plan) {
   if (!plan.config.recordings.empty()) {
     if (auto status = hub::daemon::check_folder(plan.config.recordings); !status) return status;
   }
+  if (!plan.config.study.empty()) {
+    if (const auto study = study::load_plan(plan.config.study); !study) return study.error();
+  }
   const auto web = find_web_directory(plan.config.web);
   if (!web) return {};
   const auto site = net::StaticSite::load(*web);
@@ -175,6 +179,19 @@ std::shared_ptr<hub::daemon::HubRecorders> make_recorders(
               : nullptr;
 }
 
+/// Null where none is configured.
+Result<std::shared_ptr<hub::daemon::HubStudy>> open_study(
+    const hub::HubConfig& config, const std::optional<std::filesystem::path>& data) {
+  if (config.study.empty()) return std::shared_ptr<hub::daemon::HubStudy>();
+  if (!config.study_folder.empty())
+    return hub::daemon::HubStudy::open(config.study, config.study_folder);
+  const auto plan = study::load_plan(config.study);
+  if (!plan) return plan.error();
+  if (!data)
+    return invalid_argument("a study needs a folder for its sessions: --study-folder, or --data");
+  return hub::daemon::HubStudy::open(config.study, *data / ("study-" + plan->name));
+}
+
 /// The connection to other hubs, if any are configured.
 hub::OpenBackplane backplane_of(const HubPlan& plan, hub::daemon::HubAligners& aligners,
                                 const LogSink& log) {
@@ -228,6 +245,9 @@ Status run_hub(const HubFlags& flags) {
   options.log = log;
   const auto recorders = make_recorders(plan->config, options.data_folder, log);
   options.recordings = recorders;
+  auto study = open_study(plan->config, options.data_folder);
+  if (!study) return study.error();
+  options.study = *study;
   options.on_room_in_use = [&, config = plan->config](const std::string& room) {
     if (config.align && config.nats_servers.empty()) aligners.start(room);
     if (config.record && recorders) (void)recorders->start(room, "");
@@ -253,6 +273,9 @@ Status run_hub(const HubFlags& flags) {
         "does");
   }
   print_where(*plan, (*server)->port());
+  if (*study)
+    print_out("roomcast hub: participants of the study open that address with ?study=1\n");
+  std::fflush(stdout);
   (*server)->run(stop.token());
   return {};
 }

@@ -48,6 +48,10 @@ void add_room_flags(CLI::App& command, HubFlags& flags) {
                    "Do not align sensors; use only the poses that they supply");
   command.add_option("--recordings", flags.recordings,
                      "Folder for recordings by admins (default: recordings, in that of --data)");
+  command.add_option("--study", flags.study,
+                     "Run the study of this plan (roomcast study --help); open ?study=1");
+  command.add_option("--study-folder", flags.study_folder,
+                     "Folder for its sessions (default: study-NAME, in that of --data)");
   command.add_flag("--record", flags.record, "Record every room from its first sensor on");
 }
 
@@ -100,6 +104,8 @@ hub::HubConfig with_flags(hub::HubConfig config, const HubFlags& flags) {
   take(flags.access, config.access);
   take(flags.log, config.log);
   take(flags.recordings, config.recordings);
+  take(flags.study, config.study);
+  take(flags.study_folder, config.study_folder);
   config.record |= flags.record;
   take(flags.upstream_token_file, config.upstream_token_file);
   take(flags.public_url, config.public_url);

@@ -14,7 +14,8 @@ namespace roomcast::cli {
 
 /// Values given on the command line. Precedence: command line, environment, file.
 struct HubFlags {
-  std::string config_file, listen, room, web, tls_cert, tls_key, data, access, log, recordings;
+  std::string config_file, listen, room, web, tls_cert, tls_key, data, access, log, recordings,
+      study, study_folder;
   std::vector<std::string> upstream;
   std::string upstream_token_file, public_url;
   std::vector<std::string> nats;

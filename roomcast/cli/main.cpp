@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
       add_doctor_command,   add_record_command,        add_play_command,      add_import_command,
       add_info_command,     add_export_command,        add_foxglove_command,  add_ros2_command,
       add_measure_command,  add_align_command,         add_board_command,     add_nudge_command,
-      add_token_command,    add_bench_command,
+      add_token_command,    add_study_command,         add_bench_command,
   };
   return run_program(argc, argv, kCommands);
 }

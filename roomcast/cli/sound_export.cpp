@@ -37,9 +37,12 @@ nlohmann::json sound_json(const recording::VoiceExport& done, const std::filesys
   }
   nlohmann::json files = nlohmann::json::array();
   for (const auto& file : done.files) files.push_back(file.string());
-  return {{"format", "wav"},        {"out", out.string()},
-          {"files", files},         {"people", people},
-          {"seconds", done.seconds}, {"began_at", 1e-9 * static_cast<double>(done.began_at.count())},
+  return {{"format", "wav"},
+          {"out", out.string()},
+          {"files", files},
+          {"people", people},
+          {"seconds", done.seconds},
+          {"began_at", 1e-9 * static_cast<double>(done.began_at.count())},
           {"damaged_parts", done.damaged_parts}};
 }
 
@@ -89,8 +92,8 @@ Outcome export_sound(const std::string& recording, const std::filesystem::path& 
     print_err("roomcast export: {} damaged parts of the recording were left out\n",
               done->damaged_parts);
   if (json) {
-    print_out("{}\n", sound_json(*done, out).dump(1, ' ', false,
-                                               nlohmann::json::error_handler_t::replace));
+    print_out("{}\n",
+              sound_json(*done, out).dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
     print_sound(*done);
   }

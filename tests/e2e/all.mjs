@@ -18,6 +18,7 @@ import './security.test.mjs';
 import './console.test.mjs';
 import './headset.test.mjs';
 import './trouble.test.mjs';
+import './study.test.mjs';
 import './voice.test.mjs';
 import './reverse_proxy.test.mjs';
 import './other_hub.test.mjs';

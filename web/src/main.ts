@@ -6,6 +6,7 @@ import { authorKey } from './author_key';
 import type { Console } from './console/console';
 import { HubApi } from './console/hub_api';
 import type { Voices, Welcome } from './gen/control_pb';
+import { enterHeadset, headsetOf } from './headset_view';
 import { LazyConsole } from './lazy_console';
 import { LazyPlayback } from './lazy_playback';
 import { Look } from './look';
@@ -22,41 +23,41 @@ import { RoomPlaces } from './room_places';
 import type { RoomRoster } from './room_roster';
 import { RoomState } from './room_state';
 import { SensorNudges } from './sensor_nudges';
-import { Standpoint, startDistance_m } from './standpoint';
+import { Standpoint } from './standpoint';
 import { keptIn } from './storage';
 import { pageTime_ms, type Body, type FromWorker, type ViewFrame } from './stream/protocol';
 import { Sound } from './sound';
 import { RoomLink } from './stream/room_link';
+import type { StudySeat } from './study/study_seat';
 import { TestApi } from './test_api';
 import { consoleTexts, problemTexts } from './texts';
 import type { DrawMode } from './view/draw_mode';
-import { headsetPace, screenPace } from './view/quality_ladder';
 import { darkBackground, lightBackground } from './view/room_scene';
 import { Stage } from './view/stage';
 import { keptFragment } from './view/view_address';
-import { viewFromBody } from './view/view_state';
 import { hearingObstacle, soundSupport } from './voice/obstacle';
-import { Headset } from './xr/headset';
-import { browsersXr, headsetOffer, type HeadsetMode } from './xr/offer';
+import type { Headset } from './xr/headset';
+import { browsersXr, headsetOffer } from './xr/offer';
 
 const panelInterval_ms = 250;
 const statsInterval_ms = 1000;
+const anyParticipant = 'participant'; // a number beside an address would be in the hub's log
 const roomForPanel = '(min-width: 35.0625em)'; // as in panel.css
 
 class Page {
-  private readonly state = new RoomState();
+  readonly state = new RoomState();
   private readonly sound: Sound;
   readonly panel: Panel;
   private readonly progress: Progress;
   private readonly console: LazyConsole;
   private readonly api: HubApi;
   private readonly look: Look;
-  private readonly posePublisher: PosePublisher;
+  readonly posePublisher: PosePublisher;
   private readonly link: RoomLink;
-  private readonly stage: Stage;
+  readonly stage: Stage;
   readonly standpoint: Standpoint;
   readonly marking: Marking;
-  private readonly headset: Headset;
+  readonly headset: Headset;
   private readonly playback = new LazyPlayback({
     control: (command) => this.link.playback(command),
     room: () => this.state.welcome?.room ?? '',
@@ -73,7 +74,7 @@ class Page {
     private readonly access: Access,
   ) {
     const url = socketUrl(location);
-    const name = ownName(options.name, browserStorage.store);
+    const name = options.study ? anyParticipant : ownName(options.name, browserStorage.store);
     const hubAddress = url.replace(/\/ws$/, '');
     this.sound = this.makeSound();
     this.panel = new Panel(document.getElementById('panel')!, this.state, hubAddress, name, this.sound, {
@@ -93,7 +94,7 @@ class Page {
         guide: (on) => this.link.guide(on),
       },
       headset: {
-        enter: (mode) => this.enter(mode),
+        enter: (mode) => enterHeadset(this, mode),
         leave: () => void this.headset.leave(),
       },
     });
@@ -101,7 +102,7 @@ class Page {
     this.api = new HubApi(() => this.access.token);
     this.console = new LazyConsole(() => this.loadConsole(hubAddress));
     this.stage = this.openStage();
-    this.headset = this.makeHeadset();
+    this.headset = headsetOf(this.stage, () => this);
     this.look = new Look((isLight) => this.stage.setBackground(isLight ? lightBackground : darkBackground));
     this.posePublisher = new PosePublisher((body) => this.link.pose(body));
     this.standpoint = new Standpoint(this.stage, this.state, options, tabStorage.store, {
@@ -164,43 +165,6 @@ class Page {
     }
   }
 
-  private makeHeadset(): Headset {
-    const { stage, panel } = this;
-    const headset = new Headset(stage.renderer.xr, {
-      began: (mode) => {
-        stage.ladder.setPace(headsetPace);
-        stage.room.setPassthrough(mode === 'immersive-ar');
-        panel.headset.setOn(true);
-      },
-      moved: (body) => {
-        this.state.body = body;
-        this.posePublisher.moved(body);
-      },
-      ended: () => this.headsetEnded(),
-    });
-    stage.room.scene.add(headset.root);
-    return headset;
-  }
-
-  private enter(mode: HeadsetMode): Promise<void> {
-    this.standpoint.follow.end();
-    this.stage.renderer.xr.enabled = true;
-    const { position, yaw } = this.standpoint.current;
-    return this.headset.enter(mode, position, yaw);
-  }
-
-  /** Sets the screen's view to the wearer's last position. */
-  private headsetEnded(): void {
-    const { stage, state, panel } = this;
-    stage.renderer.xr.enabled = false;
-    stage.ladder.setPace(screenPace);
-    stage.room.setPassthrough(false);
-    panel.headset.setOn(false);
-    const { body } = state;
-    state.body = undefined; // before the screen's own is sent
-    if (body) this.standpoint.set(viewFromBody(body.head, startDistance_m));
-  }
-
   private begin(): void {
     const { stage, state, standpoint, headset, sound } = this;
     if (this.options.best) stage.ladder.pinToBest();
@@ -218,6 +182,18 @@ class Page {
   private forTests() {
     const { playback } = this;
     return { playback, setMode: (mode: DrawMode) => this.setMode(mode), marks: () => this.marking.list };
+  }
+
+  /** The page for a participant of a study. */
+  get forStudy(): StudySeat {
+    const { state, stage, link, sound } = this;
+    return {
+      ...{ state, stage, link, sound, store: tabStorage.store },
+      token: () => this.access.token,
+      body: () => this.body,
+      mode: () => stage.room.drawMode,
+      setMode: (mode) => this.setMode(mode),
+    };
   }
 
   private receive(message: FromWorker): void {
@@ -383,7 +359,7 @@ class Page {
   }
 
   /** The page cannot continue; with an empty sentence, it can again. */
-  private breakDown(sentence: string): void {
+  breakDown(sentence: string): void {
     this.state.broken = sentence;
     this.refreshWords();
   }
@@ -396,4 +372,8 @@ const access = accessTo(options.room, readAccess(location.hash, tabStorage.store
 if (location.hash !== '') {
   history.replaceState(null, '', location.pathname + location.search + keptFragment(location.hash));
 }
-new Page(options, access);
+const page = new Page(options, access);
+if (options.study) {
+  const fail = (error: unknown) => page.breakDown(problemTexts.noStudy(String(error)));
+  void import('./study/study').then(({ Study }) => new Study(page.forStudy).run()).catch(fail);
+}

@@ -14,6 +14,7 @@ describe("the page's URL", () => {
       room: '',
       best: false,
       playback: undefined,
+      study: false,
       record: false,
     });
   });

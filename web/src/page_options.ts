@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses the options in the page's URL: ?mode=blend|mesh|points &at=x,y,z &look=x,y,z &panel=0 &name=... &room=...
-// &quality=best &play=recording &from=seconds &record=1. After the # are the credential (access.ts) and a shared viewpoint (view/view_address.ts), which
+// &quality=best &play=recording &from=seconds &study=1 &record=1. After the # are the credential (access.ts) and a shared viewpoint (view/view_address.ts), which
 // takes precedence.
 import { Vector3 } from 'three';
 import { parsePoint } from './point';
@@ -17,6 +17,7 @@ export interface PageOptions {
   room: string;
   best: boolean; // draw at the finest quality, however slow: for pictures
   playback: { recording: string; from_s: number } | undefined; // of the room, instead of its live picture
+  study: boolean; // as a participant of the study that the hub runs
   record: boolean; // keep a record of decoded frames, for tests
 }
 
@@ -33,6 +34,7 @@ export function parseOptions(search: string, hash = ''): PageOptions {
     room: asName(given.get('room') ?? ''),
     best: given.get('quality') === 'best',
     playback: playbackOf(given),
+    study: given.get('study') === '1',
     record: given.get('record') === '1',
   };
 }

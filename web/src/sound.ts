@@ -34,7 +34,7 @@ export class Sound {
     private readonly parts: VoiceParts,
     private readonly events: SoundEvents,
   ) {
-    this.button.addEventListener('click', () => void this.pressed());
+    this.button.addEventListener('click', () => void this.toggle());
     this.root.append(this.button, this.note);
     this.refresh();
   }
@@ -82,12 +82,27 @@ export class Sound {
     this.refresh();
   }
 
+  get isOn(): boolean {
+    return this.voice?.isOn ?? false;
+  }
+
+  get isSending(): boolean {
+    return this.voice?.isSending ?? false;
+  }
+
+  hearOthers(wanted: boolean): void {
+    this.wantsToHear = wanted;
+    this.voice?.hearOthers(wanted);
+  }
+
+  /** The microphone. */
+  async toggle(): Promise<void> {
+    await (await this.ready())?.toggleMicrophone();
+  }
+
   /** Of a recording that is played. */
   readonly ofRecording = {
-    hear: (wanted: boolean) => {
-      this.wantsToHear = wanted;
-      this.voice?.hearOthers(wanted);
-    },
+    hear: (wanted: boolean) => this.hearOthers(wanted),
     obstacle: () => hearingObstacle(this.support),
     awaitsGesture: () => this.voice?.awaitsGesture ?? false,
   };
@@ -95,10 +110,6 @@ export class Sound {
   /** Undefined before the voice module is there. */
   volumeSlider(viewer: number, name: string): HTMLElement | undefined {
     return this.voice && this.module?.volumeSlider(this.voice, viewer, name);
-  }
-
-  private async pressed(): Promise<void> {
-    await (await this.ready())?.toggleMicrophone();
   }
 
   private ready(): Promise<Voice | undefined> {

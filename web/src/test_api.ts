@@ -57,6 +57,7 @@ export class TestApi {
       latency_ms: state.latency_ms ?? null,
       clockError_ms: status?.clock?.error_ms ?? null,
       draw_ms: stage.draw_ms,
+      mode: stage.room.drawMode,
       quality: stage.quality,
       /** On the graphics processor; a steady increase would be a leak. */
       kept: { ...stage.renderer.info.memory },

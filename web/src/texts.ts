@@ -338,6 +338,7 @@ export const problemTexts = {
     'Browsers decode colour only on pages loaded over HTTPS: depth is shown without it. Start the hub with ' +
     '--tls-self-signed and open its https:// address; on the hub’s own computer http://localhost works, too.',
   noPlayback: 'The controls of the recording could not be loaded.',
+  noStudy: (reason: string) => `The study has stopped: ${reason}`,
   noConsole: 'The console could not be loaded. Press its button to try again, or load the page again.',
   connecting: (hub: string) => `Connecting to ${hub} …`,
   tryingIn: (seconds: number) => `Trying again in ${seconds} s.`,

@@ -47,21 +47,38 @@ net::HttpResponse no_object() {
 }  // namespace
 
 AdminApi::AdminApi(RoomRegistry& registry, StoreWorker& store_worker, std::string version,
-                   RoomRecordings* recordings, LogSink log)
+                   RoomRecordings* recordings, StudyDesk* study, LogSink log)
     : registry_(registry),
       store_worker_(store_worker),
       version_(std::move(version)),
       recordings_(recordings),
-      auth_(registry, store_worker, std::move(log)) {}
+      auth_(registry, store_worker, std::move(log)),
+      study_(study) {}
 
 void AdminApi::answer(const net::HttpRequest& request, net::Respond respond) {
   const auto found = match_admin_route(request.method, request.path);
   if (const auto* reason = std::get_if<NoRoute>(&found)) return respond(is_nowhere(*reason));
   const auto& match = std::get<MatchedRoute>(found);
+  if (StudyApi::has(match.route.call)) return answer_participant(request, match, respond);
   auth_.admit(request, match.route.needs_token, std::move(respond),
               [this, match, body = request.body](Caller caller) {
                 apply({std::move(caller), match, body});
               });
+}
+
+/// To begin takes a token where viewing the study's room takes one; later the participant's key is
+/// enough.
+void AdminApi::answer_participant(const net::HttpRequest& request, const MatchedRoute& match,
+                                  const net::Respond& respond) {
+  const RoomSettings* room = registry_.find(study_.room());
+  const bool needs_token = room != nullptr && room->view != AccessRule::kAnyone;
+  if (match.route.call != AdminCall::kEnroll || !needs_token)
+    return study_.answer(match, request.body, respond);
+  auth_.admit(request, true, respond, [this, match, body = request.body](const Caller& caller) {
+    const bool may = caller.claims && covers(caller.claims->grant, study_.room());
+    if (may) return study_.answer(match, body, caller.respond);
+    caller.respond(error_answer(403, "wrong_room", "this token is for another room"));
+  });
 }
 
 void AdminApi::apply(const Call& call) {

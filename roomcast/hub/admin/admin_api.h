@@ -15,6 +15,7 @@
 #include "roomcast/hub/admin/admin_auth.h"
 #include "roomcast/hub/admin/admin_routes.h"
 #include "roomcast/hub/admin/download_links.h"
+#include "roomcast/hub/admin/study_api.h"
 #include "roomcast/hub/runtime/room_recordings.h"
 #include "roomcast/hub/runtime/room_registry.h"
 #include "roomcast/hub/store/store_worker.h"
@@ -24,9 +25,9 @@ namespace roomcast::hub {
 
 class AdminApi {
  public:
-  /// `recordings`: null if rooms cannot be recorded.
+  /// `recordings`: null if rooms cannot be recorded. `study`: null if there is none.
   AdminApi(RoomRegistry& registry, StoreWorker& store_worker, std::string version,
-           RoomRecordings* recordings, LogSink log = {});
+           RoomRecordings* recordings, StudyDesk* study = nullptr, LogSink log = {});
 
   void answer(const net::HttpRequest& request, net::Respond respond);
 
@@ -40,6 +41,8 @@ class AdminApi {
   };
 
   void apply(const Call& call);
+  void answer_participant(const net::HttpRequest& request, const MatchedRoute& match,
+                          const net::Respond& respond);
   void carry_out_in_room(const Call& call);
   void status(const Call& call) const;
   void list_hubs(const Call& call) const;
@@ -78,6 +81,7 @@ class AdminApi {
   RoomRecordings* const recordings_;
   DownloadLinks downloads_;
   AdminAuth auth_;
+  StudyApi study_;
   SteadyClock clock_;
   const HostTime started_ = clock_.now();
 };

@@ -168,7 +168,11 @@ class AdminApiTest : public testing::Test {
       {.hub_version = "test", .configured_rooms = {"lab"}}, io, store_worker, shards};
   FakeRecordings recordings;
   std::map<std::string, std::string, std::less<>> logged;  // from the last line with fields
-  AdminApi api{registry, store_worker, "test", &recordings,
+  AdminApi api{registry,
+               store_worker,
+               "test",
+               &recordings,
+               nullptr,
                [this](LogLevel, std::string_view, LogFields fields) {
                  for (const auto& [key, value] : fields) logged[std::string(key)] = value;
                }};

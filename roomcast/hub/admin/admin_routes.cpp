@@ -39,6 +39,10 @@ constexpr std::array kRoutes = {
     AdminRoute{"GET", "/tokens", AdminCall::kListTokens},
     AdminRoute{"POST", "/tokens", AdminCall::kMakeToken},
     AdminRoute{"DELETE", "/tokens/{id}", AdminCall::kRevokeToken},
+    AdminRoute{"GET", "/study", AdminCall::kStudy, false},
+    AdminRoute{"POST", "/study/participants", AdminCall::kEnroll, false},
+    AdminRoute{"POST", "/study/participants/{participant}/resume", AdminCall::kResume, false},
+    AdminRoute{"POST", "/study/participants/{participant}/log", AdminCall::kLogSession, false},
 };
 
 /// Removes "/x" from the front of "/x/y" and returns it.

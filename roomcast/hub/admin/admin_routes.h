@@ -40,6 +40,10 @@ enum class AdminCall {
   kListTokens,
   kMakeToken,
   kRevokeToken,
+  kStudy,
+  kEnroll,
+  kResume,
+  kLogSession,
 };
 
 struct AdminRoute {

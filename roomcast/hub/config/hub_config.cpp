@@ -38,6 +38,8 @@ const std::vector<NamedField>& fields() {
       {"threads", &HubConfig::threads},
       {"recordings", &HubConfig::recordings},
       {"record", &HubConfig::record},
+      {"study.plan", &HubConfig::study},
+      {"study.folder", &HubConfig::study_folder},
       {"align", &HubConfig::align},
       {"log", &HubConfig::log},
       {"metrics", &HubConfig::metrics},

@@ -22,6 +22,8 @@ struct HubConfig {
   std::string web;               // folder of the page; empty: the one next to the program
   std::int64_t threads = 0;      // 0: one per core
   std::string recordings;        // folder; empty: a folder in that of `data`
+  std::string study;             // plan of a study that this hub runs; empty: none
+  std::string study_folder;      // of its sessions; empty: study-NAME in that of `data`
   bool record = false;           // record every room from its first sensor on
   bool align = true;             // estimate sensor poses
   std::string log = "text";      // or "json"

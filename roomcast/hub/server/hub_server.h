@@ -23,6 +23,7 @@
 #include "roomcast/hub/runtime/backplane.h"
 #include "roomcast/hub/runtime/room_recordings.h"
 #include "roomcast/hub/runtime/session.h"
+#include "roomcast/hub/runtime/study_desk.h"
 #include "roomcast/net/allowed_names.h"
 #include "roomcast/net/tls/tls_context.h"
 #include "roomcast/wire/limits.h"
@@ -59,6 +60,7 @@ struct HubOptions {
   /// A room's first sensor has joined. Called on the rooms' thread.
   std::function<void(const std::string& room)> on_room_in_use = {};
   std::shared_ptr<RoomRecordings> recordings = {};  // null: rooms cannot be recorded
+  std::shared_ptr<StudyDesk> study = {};            // null: this hub runs no study
   OpenBackplane open_backplane = {};                // connects to other hubs; empty: there are none
   std::optional<Grant> first_link = {};             // makes link_fragment() a link with this grant
   LogSink log = {};                                 // called from all threads

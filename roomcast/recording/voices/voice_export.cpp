@@ -23,7 +23,7 @@
 namespace roomcast::recording {
 namespace {
 
-constexpr std::size_t kMaxPeople = 500;  // each has an open file
+constexpr std::size_t kMaxPeople = 500;                          // each has an open file
 constexpr nanoseconds kLongestDelay = std::chrono::seconds(10);  // from a mouth to the recorder
 constexpr nanoseconds kProgressEvery = std::chrono::seconds(5);
 
@@ -213,8 +213,9 @@ Status VoiceExporter::read_voice(const mcap::Message& message) {
 Result<VoiceExporter::Person*> VoiceExporter::person(std::uint32_t viewer, nanoseconds log_time) {
   if (const auto known = people_.find(viewer); known != people_.end()) return &known->second;
   if (people_.size() == kMaxPeople) {
-    return Error{ErrorCode::kTooLarge,
-                 "more than 500 people speak in this recording; choose a part with --from and --to"};
+    return Error{
+        ErrorCode::kTooLarge,
+        "more than 500 people speak in this recording; choose a part with --from and --to"};
   }
   Person added;
   added.voice.viewer = viewer;
@@ -249,8 +250,8 @@ std::filesystem::path VoiceExporter::free_file(const std::string& person) {
 void VoiceExporter::hear(Person& person, std::int64_t at, std::span<const float> samples) {
   ExportedVoice& voice = person.voice;
   const double begin_s = std::max(0.0, seconds_of(at));
-  const double end_s =
-      std::min(seconds_of(at + static_cast<std::int64_t>(samples.size())), seconds_of(end_ - begin_));
+  const double end_s = std::min(seconds_of(at + static_cast<std::int64_t>(samples.size())),
+                                seconds_of(end_ - begin_));
   if (end_s <= begin_s) return;
   if (voice.speech_s == 0) voice.first_s = begin_s;
   voice.last_s = std::max(voice.last_s, end_s);
@@ -260,9 +261,8 @@ void VoiceExporter::hear(Person& person, std::int64_t at, std::span<const float>
   if (options_.listener) {
     const auto head = heads_.find(voice.viewer);
     const auto time = nanoseconds(std::llround(1e9 * seconds_of(begin_ + at)));
-    gains = listener_gains(options_.listener(time), head == heads_.end()
-                                                        ? std::nullopt
-                                                        : std::optional(head->second));
+    gains = listener_gains(options_.listener(time),
+                           head == heads_.end() ? std::nullopt : std::optional(head->second));
   }
   all_->mix().add(at, samples, gains);
 }

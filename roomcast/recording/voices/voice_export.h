@@ -36,7 +36,7 @@ struct VoiceExportOptions {
 struct ExportedVoice {
   std::string person;  // name; "viewer N" for somebody without one
   std::uint32_t viewer = 0;
-  std::filesystem::path file;  // empty without `per_person`
+  std::filesystem::path file;      // empty without `per_person`
   double first_s = 0, last_s = 0;  // begin of the first and end of the last packet, in the files
   double speech_s = 0;
   std::uint64_t concealed = 0;  // packets that are lost or broken

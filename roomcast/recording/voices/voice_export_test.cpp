@@ -97,7 +97,8 @@ TEST_F(VoiceExportTest, everybody_is_heard_when_they_spoke) {
 }
 
 TEST_F(VoiceExportTest, a_click_is_where_it_was_made_to_a_millisecond) {
-  VoiceFixture voice([](std::int64_t sample) { return sample >= 4800 && sample < 4824 ? 0.8F : 0; });
+  VoiceFixture voice(
+      [](std::int64_t sample) { return sample >= 4800 && sample < 4824 ? 0.8F : 0; });
   for (int n = 0; n < 20; ++n) {
     const auto packet = RecordingFixtureRoom::voice(kAda, static_cast<std::uint32_t>(n),
                                                     6s + n * 20ms, voice.next_packet());
@@ -106,7 +107,8 @@ TEST_F(VoiceExportTest, a_click_is_where_it_was_made_to_a_millisecond) {
   end(2s);
   ASSERT_TRUE(write().ok());
   const ReadWav all = wav("voices.wav");
-  const auto loudest = std::ranges::max_element(all.samples, {}, [](float s) { return std::abs(s); });
+  const auto loudest =
+      std::ranges::max_element(all.samples, {}, [](float s) { return std::abs(s); });
   EXPECT_NEAR(static_cast<double>(loudest - all.samples.begin()) / kVoiceRate_hz, 1.1, 0.001);
 }
 

@@ -9,13 +9,15 @@ namespace {
 class VoiceMixTest : public testing::Test {
  protected:
   VoiceMix mix(int channels) {
-    return {channels,
-            {.sound = [this](std::span<const float> s) { heard.insert(heard.end(), s.begin(), s.end()); },
-             .silence =
-                 [this](std::int64_t samples) {
-                   heard.resize(heard.size() + static_cast<std::size_t>(samples));
-                   ++silences;
-                 }}};
+    return {
+        channels,
+        {.sound =
+             [this](std::span<const float> s) { heard.insert(heard.end(), s.begin(), s.end()); },
+         .silence =
+             [this](std::int64_t samples) {
+               heard.resize(heard.size() + static_cast<std::size_t>(samples));
+               ++silences;
+             }}};
   }
   std::vector<float> heard;
   int silences = 0;

@@ -69,6 +69,12 @@ export interface Status {
   colorProblem: string; // reason why colour cannot be decoded here, or empty
 }
 
+/** What is done to all that comes from the hub, in a study. */
+export interface Handicap {
+  latency_ms: number; // added
+  fps: number; // frame sets a second at most; 0: all
+}
+
 /** What a person wants of the recording that is played; what is left out stays as it is. */
 export interface PlaybackCommand {
   seek_s?: number;
@@ -134,6 +140,7 @@ export type ToWorker =
   | { kind: 'removeMarks'; ids: number[] }
   | { kind: 'guide'; on: boolean }
   | { kind: 'playback'; command: PlaybackCommand }
+  | { kind: 'handicap'; handicap: Handicap }
   | { kind: 'rename'; name: string } // joins again
   | { kind: 'stats'; lastSetId: bigint; shownFps: number; latency_ms: number };
 

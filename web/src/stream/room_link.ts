@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's interface to its worker.
 import { problemTexts } from '../texts';
-import type { Body, FromWorker, NewMark, PlaybackCommand, StartOptions, ToWorker, ViewFrame } from './protocol';
+import type { Body, FromWorker, Handicap, NewMark, PlaybackCommand, StartOptions, ToWorker, ViewFrame } from './protocol';
 
 export class RoomLink {
   private readonly worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'roomcast' });
@@ -49,6 +49,11 @@ export class RoomLink {
 
   playback(command: PlaybackCommand): void {
     this.tell({ kind: 'playback', command });
+  }
+
+  /** In a study. */
+  handicap(handicap: Handicap): void {
+    this.tell({ kind: 'handicap', handicap });
   }
 
   /** Joins the room again under another name. */

@@ -13,6 +13,7 @@ import { crc32 } from './crc32';
 import { FrameMailbox } from './frame_mailbox';
 import { FrameSetAssembly } from './frame_set_assembly';
 import { HubConnection } from './hub_connection';
+import { LateQueue } from './late_queue';
 import {
   pageTime_ms,
   type Body,
@@ -24,6 +25,7 @@ import {
 } from './protocol';
 import type { RoomEvents, RoomSource } from './room_source';
 import { SensorStream } from './sensor_stream';
+import { SetPace } from './set_pace';
 
 const statusInterval_ms = 250;
 const keyRequestInterval_ms = 500; // the hub forwards requests no more often
@@ -35,7 +37,7 @@ export class RoomStream {
   private readonly sensors = new Map<number, SensorStream>();
   private readonly keyRequestedAt_ms = new Map<number, number>();
   private readonly sets = new FrameSetAssembly<ViewFrame>(
-    (set) => this.mailbox.put(set.setId, set.frames),
+    (set) => this.offer(set.setId, set.frames),
     (frame) => this.recycle(frame),
   );
   private readonly mailbox = new FrameMailbox<ViewFrame>(
@@ -50,6 +52,8 @@ export class RoomStream {
   private decoded: DecodedRecord[] = [];
   private voice: MessagePort | undefined;
   private hasSpoken = false; // the page knows that audio comes
+  private readonly late = new LateQueue();
+  private readonly pace = new SetPace();
 
   constructor(private readonly post: Post) {}
 
@@ -83,6 +87,9 @@ export class RoomStream {
         return this.hub?.send({ case: 'guide', value: { on: message.on } });
       case 'playback':
         return this.hub?.control(message.command);
+      case 'handicap':
+        this.late.setDelay(message.handicap.latency_ms);
+        return this.pace.set(message.handicap.fps);
       case 'rename':
         return this.hub?.rename(message.name);
       case 'stats': {
@@ -103,13 +110,16 @@ export class RoomStream {
       connection: (state) => this.post({ kind: 'connection', state }),
       welcome: (welcome) => this.post({ kind: 'welcome', welcome }),
       roster: (roster) => this.follow(roster),
-      poses: (poses) => this.post({ kind: 'poses', poses }),
+      poses: (poses) => this.late.put(() => this.post({ kind: 'poses', poses })),
       marks: (marks) => this.post({ kind: 'marks', marks }),
       guide: (viewer) => this.post({ kind: 'guide', viewer }),
-      frame: (header, payload, isHidden) => this.push(header, payload, isHidden),
-      voices: (voices) => this.post({ kind: 'voices', voices }),
-      audio: (header, payload) => this.hear(header, payload),
-      disconnected: () => this.restartSensors(),
+      frame: (header, payload, isHidden) => this.late.put(() => this.push(header, payload, isHidden)),
+      voices: (voices) => this.late.put(() => this.post({ kind: 'voices', voices })),
+      audio: (header, payload) => this.late.put(() => this.hear(header, payload)),
+      disconnected: () => {
+        this.late.clear();
+        this.restartSensors();
+      },
       rewound: () => this.rewindSensors(),
       silenced: () => this.voice?.postMessage(silence),
       playback: (state) => this.post({ kind: 'playback', state }),
@@ -202,6 +212,12 @@ export class RoomStream {
   private record({ sensor, seq, setId, capture_ns }: FrameHeader, depth_mm: Uint16Array): void {
     const bytes = new Uint8Array(depth_mm.buffer, depth_mm.byteOffset, depth_mm.byteLength);
     this.decoded.push({ sensor, seq, setId, capture_ns, depthCrc32: crc32(bytes) });
+  }
+
+  /** Sets that are too many are decoded, because later ones need them, and not shown. */
+  private offer(setId: bigint, frames: ViewFrame[]): void {
+    if (this.pace.takes(performance.now())) this.mailbox.put(setId, frames);
+    else frames.forEach((frame) => this.recycle(frame));
   }
 
   private requestKeyFrame(sensor: number): void {

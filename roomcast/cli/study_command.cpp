@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// roomcast study: checks the plan of a study with people, exports its sessions, erases participants.
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "roomcast/cli/command.h"
+#include "roomcast/cli/print.h"
+#include "roomcast/io/file_bytes.h"
+#include "roomcast/recording/recorder/unix_clock.h"
+#include "roomcast/study/counterbalance.h"
+#include "roomcast/study/plan.h"
+#include "roomcast/study/study_export.h"
+#include "roomcast/study/study_folder.h"
+
+namespace roomcast::cli {
+namespace {
+
+struct StudyOptions {
+  std::filesystem::path plan, folder, out;
+  std::string participant;
+  bool json = false;
+};
+
+nlohmann::json faults_json(const study::ReadPlan& read) {
+  nlohmann::json faults = nlohmann::json::array();
+  for (const auto& [line, sentence] : read.faults)
+    faults.push_back({{"line", line}, {"sentence", sentence}});
+  return faults;
+}
+
+double condition_minutes(const study::StudyPlan& plan) {
+  double seconds = 0;
+  for (const auto& condition : plan.conditions) seconds += condition.seconds;
+  return seconds / 60;
+}
+
+std::string order_text(const study::StudyPlan& plan, std::size_t participant) {
+  std::string text;
+  for (const std::size_t condition :
+       study::order_for(participant, plan.conditions.size(), plan.order, plan.name))
+    text += (text.empty() ? "" : ", ") + plan.conditions[condition].name;
+  return text;
+}
+
+void print_plan(const study::StudyPlan& plan) {
+  std::size_t items = 0;
+  for (const auto& questions : plan.questionnaires) items += questions.items.size();
+  print_out("{}: {} conditions, {:.1f} minutes in all; {} questionnaires with {} items\n", plan.name,
+            plan.conditions.size(), condition_minutes(plan), plan.questionnaires.size(), items);
+  constexpr std::size_t kShown = 12;
+  const std::size_t square = study::participants_per_square(plan.conditions.size(), plan.order);
+  const std::size_t shown =
+      plan.order == study::ConditionOrder::kFixed ? 1 : std::min(std::max(square, std::size_t{4}), kShown);
+  for (std::size_t i = 0; i < shown; ++i) print_out("P{:03}: {}\n", i + 1, order_text(plan, i));
+  if (square > 1)
+    print_out("the orders repeat after {} participants: invite a multiple of that\n", square);
+}
+
+Outcome check_plan_file(const StudyOptions& options) {
+  std::vector<std::uint8_t> bytes;
+  if (auto status = io::read_file(options.plan, study::kMaxPlanBytes, bytes); !status)
+    return status.error();
+  const study::ReadPlan read =
+      study::read_plan({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (options.json) {
+    nlohmann::json json = {{"plan", options.plan.string()}, {"faults", faults_json(read)}};
+    if (read.faults.empty()) json["study"] = study::to_json(read.plan);
+    print_out("{}\n", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
+  } else {
+    for (const auto& [line, sentence] : read.faults) {
+      if (line > 0) print_err("{}, line {}: {}\n", options.plan.string(), line, one_line(sentence));
+      else print_err("{}: {}\n", options.plan.string(), one_line(sentence));
+    }
+    if (read.faults.empty()) print_plan(read.plan);
+  }
+  if (read.faults.empty()) return Status();
+  const std::size_t count = read.faults.size();
+  return {Error{ErrorCode::kMalformed, fmt::format("this plan has {} mistake{}", count,
+                                                   count == 1 ? "" : "s")},
+          options.json};
+}
+
+Outcome export_study(const StudyOptions& options) {
+  const auto folder = study::StudyFolder::open(options.folder);
+  if (!folder) return folder.error();
+  const auto done = study::export_csv(*folder, options.out);
+  if (!done) return done.error();
+  if (options.json) {
+    print_out("{}\n", nlohmann::json{{"study", folder->study()},
+                                     {"out", options.out.string()},
+                                     {"participants", done->participants},
+                                     {"rows", done->rows}}
+                          .dump(1));
+    return Status();
+  }
+  for (const auto& [file, rows] : done->rows)
+    print_out("{}: {} rows\n", (options.out / file).string(), rows);
+  return Status();
+}
+
+Outcome erase_participant(const StudyOptions& options) {
+  auto folder = study::StudyFolder::open(options.folder);
+  if (!folder) return folder.error();
+  if (auto status = folder->erase(options.participant, recording::UnixClock().now()); !status)
+    return status.error();
+  print_out("{} is erased from {}; erase it from exported files and backups, too\n",
+            options.participant, options.folder.string());
+  return Status();
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<StudyOptions>();
+  CLI::App* command = app.add_subcommand(
+      "study", "Studies with people: check a plan, export sessions, erase a participant");
+  command->require_subcommand(1);
+
+  CLI::App* example = command->add_subcommand("example", "Print a plan to begin with");
+  example->footer("Example:\n  roomcast study example > plan.toml");
+  example->callback([&chosen] {
+    chosen = [] {
+      print_out("{}", study::example_plan());
+      return finish("study", Outcome(Status()));
+    };
+  });
+
+  CLI::App* check = command->add_subcommand("check", "Say what a plan does, or all its mistakes");
+  check->add_option("plan", options->plan, "PLAN.toml")->required();
+  check->add_flag("--json", options->json, "Print JSON");
+  check->footer("Example:\n  roomcast study check plan.toml");
+  check->callback([options, &chosen] {
+    chosen = [options] { return finish("study", check_plan_file(*options)); };
+  });
+
+  CLI::App* to_csv = command->add_subcommand("export", "Write all sessions as CSV files");
+  to_csv->add_option("folder", options->folder, "Folder of the study")->required();
+  to_csv->add_option("--csv", options->out, "New folder to write to")->required();
+  to_csv->add_flag("--json", options->json, "Print JSON");
+  to_csv->footer(
+      "data_dictionary.csv says what every column means.\n"
+      "Example:\n  roomcast study export study-delay --csv delay-csv");
+  to_csv->callback([options, &chosen] {
+    chosen = [options] { return finish("study", export_study(*options)); };
+  });
+
+  CLI::App* erase = command->add_subcommand("erase", "Erase all of a participant, for good");
+  erase->add_option("folder", options->folder, "Folder of the study")->required();
+  erase->add_option("participant", options->participant, "Its number, as P007")->required();
+  erase->footer("Example:\n  roomcast study erase study-delay P007");
+  erase->callback([options, &chosen] {
+    chosen = [options] { return finish("study", erase_participant(*options)); };
+  });
+
+  command->footer(
+      "Run a study with: roomcast hub --study plan.toml; participants open its address with "
+      "?study=1.\n"
+      "Examples:\n"
+      "  roomcast study example > plan.toml\n"
+      "  roomcast study check plan.toml\n"
+      "  roomcast study export ~/.local/state/roomcast/study-delay --csv delay-csv\n"
+      "  roomcast study erase ~/.local/state/roomcast/study-delay P007");
+}
+
+}  // namespace roomcast::cli

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page in a headset: entering and leaving, and whose pose counts meanwhile.
+import type { Panel } from './panel/panel';
+import type { PosePublisher } from './pose_publisher';
+import type { RoomState } from './room_state';
+import { startDistance_m, type Standpoint } from './standpoint';
+import { headsetPace, screenPace } from './view/quality_ladder';
+import type { Stage } from './view/stage';
+import { viewFromBody } from './view/view_state';
+import { Headset } from './xr/headset';
+import type { HeadsetMode } from './xr/offer';
+
+export interface HeadsetPage {
+  readonly stage: Stage;
+  readonly panel: Panel;
+  readonly state: RoomState;
+  readonly posePublisher: PosePublisher;
+  readonly standpoint: Standpoint;
+  readonly headset: Headset;
+}
+
+export function headsetOf(stage: Stage, page: () => HeadsetPage): Headset {
+  const headset = new Headset(stage.renderer.xr, {
+    began: (mode) => {
+      stage.ladder.setPace(headsetPace);
+      stage.room.setPassthrough(mode === 'immersive-ar');
+      page().panel.headset.setOn(true);
+    },
+    moved: (body) => {
+      page().state.body = body;
+      page().posePublisher.moved(body);
+    },
+    ended: () => headsetEnded(page()),
+  });
+  stage.room.scene.add(headset.root);
+  return headset;
+}
+
+export function enterHeadset({ standpoint, stage, headset }: HeadsetPage, mode: HeadsetMode): Promise<void> {
+  standpoint.follow.end();
+  stage.renderer.xr.enabled = true;
+  const { position, yaw } = standpoint.current;
+  return headset.enter(mode, position, yaw);
+}
+
+/** Sets the screen's view to the wearer's last position. */
+function headsetEnded({ stage, state, panel, standpoint }: HeadsetPage): void {
+  stage.renderer.xr.enabled = false;
+  stage.ladder.setPace(screenPace);
+  stage.room.setPassthrough(false);
+  panel.headset.setOn(false);
+  const { body } = state;
+  state.body = undefined; // before the screen's own is sent
+  if (body) standpoint.set(viewFromBody(body.head, startDistance_m));
+}
