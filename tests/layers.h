@@ -268,7 +268,7 @@ inline const std::vector<Layer> kLayers = {
      "core hub/daemon net render/gl source/camera source/drivers",
      "hub/server"},
     {"capi",
-     "client client/room codec core geometry recording/recorder sensor/sender",
+     "client client/room codec core geometry recording/frame_sets recording/recorder sensor/sender",
      "hub/server"},
     {"python",
      "client client/room core geometry io recording/align recording/export recording/frame_sets "

@@ -4,6 +4,7 @@
 // made.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <vector>
@@ -32,10 +33,17 @@ class SensorRays {
   std::map<SensorId, Entry> entries_;
 };
 
+/// When a frame was captured, as roomcast_sensor has it.
+struct FrameStamp {
+  std::uint32_t seq = 0;
+  std::int64_t capture_ns = 0, capture_utc_ns = 0;
+};
+
 struct ReceivedSensor {
   const client::RoomSensor* sensor = nullptr;  // points into the snapshot
   std::shared_ptr<const codec::DecodedFrame> frame;
   std::shared_ptr<const Rays> rays;
+  FrameStamp stamp = {};
 };
 
 /// The sensors of `room` that are online and have a picture. `room` must outlive the result.

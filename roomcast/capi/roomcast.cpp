@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "roomcast/capi/c_border.h"
+#include "roomcast/capi/frames.h"
 #include "roomcast/capi/received_sensor.h"
 #include "roomcast/capi/room_points.h"
 #include "roomcast/client/subscriber.h"
@@ -25,12 +26,6 @@ struct roomcast_viewer {
   std::uint64_t last_revision = 0;
   roomcast::capi::SensorRays rays;
   const roomcast::recording::UnixClock unix_clock;
-};
-
-struct roomcast_frames {
-  std::shared_ptr<const roomcast::client::RoomSnapshot> room;  // `sensors` points into it
-  std::vector<roomcast::capi::ReceivedSensor> sensors;
-  roomcast::recording::UnixClock unix_clock;  // the viewer's
 };
 
 struct roomcast_recorder {
@@ -47,41 +42,10 @@ using capi::known_part;
 using capi::say;
 using capi::text;
 
-nanoseconds unix_time(const roomcast_frames& frames, const client::SensorPicture& picture) {
-  const auto& clock = frames.room->clock;
-  return clock ? frames.unix_clock.at(picture.capture_time, *clock)
-               : frames.unix_clock.at(picture.received);
-}
-
-roomcast_sensor describe(const roomcast_frames& frames, const capi::ReceivedSensor& received) {
-  const client::RoomSensor& sensor = *received.sensor;
-  const codec::DecodedFrame& frame = *received.frame;
-  const CameraIntrinsics& camera = sensor.calibration.depth;
-  roomcast_sensor out{};
-  out.name = sensor.name.c_str();
-  out.id = sensor.id.value;
-  out.width = frame.depth_mm.width();
-  out.height = frame.depth_mm.height();
-  out.fx = camera.fx;
-  out.fy = camera.fy;
-  out.cx = camera.cx;
-  out.cy = camera.cy;
-  out.k1 = camera.k1;
-  out.k2 = camera.k2;
-  out.k3 = camera.k3;
-  out.p1 = camera.p1;
-  out.p2 = camera.p2;
-  std::ranges::copy(row_major_from_transform(sensor.pose.world_from_depth), out.world_from_depth);
-  out.placed = sensor.pose.is_placed() ? 1 : 0;
-  out.seq = sensor.picture->seq;
-  out.capture_ns = sensor.picture->capture_time.time_since_epoch().count();
-  out.capture_utc_ns = unix_time(frames, *sensor.picture).count();
-  out.depth_mm = frame.depth_mm.data();
-  if (!frame.color.empty()) {
-    out.color_rgb = &frame.color.data()->r;
-    out.color_seen = frame.color_seen.data();
-  }
-  return out;
+nanoseconds unix_time(const roomcast_viewer& viewer, const client::RoomSnapshot& room,
+                      const client::SensorPicture& picture) {
+  return room.clock ? viewer.unix_clock.at(picture.capture_time, *room.clock)
+                    : viewer.unix_clock.at(picture.received);
 }
 
 Result<std::optional<RigidTransform>> tracked(const double* row_major, const char* what) {
@@ -135,9 +99,13 @@ roomcast_frames* new_frames(roomcast_viewer& viewer,
   if (!(room->newest_set > viewer.last_set)) return nullptr;
   viewer.last_set = room->newest_set;
   auto frames = std::make_unique<roomcast_frames>();
-  frames->unix_clock = viewer.unix_clock;
   frames->room = room;
   frames->sensors = capi::received_sensors(*room, viewer.rays);
+  for (capi::ReceivedSensor& received : frames->sensors) {
+    const client::SensorPicture& picture = *received.sensor->picture;
+    received.stamp = {picture.seq, picture.capture_time.time_since_epoch().count(),
+                      unix_time(viewer, *room, picture).count()};
+  }
   return frames.release();
 }
 
@@ -214,7 +182,7 @@ size_t roomcast_room_sensor_count(const roomcast_frames* frames) {
 
 int roomcast_get_sensor(const roomcast_frames* frames, size_t number, roomcast_sensor* sensor) {
   if (number >= frames->sensors.size()) return 0;
-  copy_known_part(describe(*frames, frames->sensors[number]), *sensor);
+  copy_known_part(capi::describe(frames->sensors[number]), *sensor);
   return 1;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/* roomcast.h: the C interface of libroomcast.so. It receives and records live rooms, and sends a
- * sensor's frames into them.
+/* roomcast.h: the C interface of libroomcast.so. It receives and records live rooms, sends a
+ * sensor's frames into them, and reads recordings.
  *
  * Units: metres and nanoseconds; depth is in millimetres, 0 where there is no reading. World frame:
  * right-handed, y up, floor at y = 0. Sensor frames: x right, y down, z forward. Matrices are
@@ -11,11 +11,12 @@
  * always terminated by a zero byte; may be NULL) and returns NULL, or 0 where it returns a flag.
  * The library prints nothing and throws nothing.
  *
- * Threads: all functions of one roomcast_viewer, roomcast_publisher or roomcast_recorder may be
- * called from several threads at the same time, except the function that ends it: that call must be
- * the last. Different ones are independent of each other. A roomcast_frames is immutable: several
- * threads may read it until it is freed. Its pictures stay valid after the viewer is disconnected.
- * Memory that a caller passes in is read or written during the call only.
+ * Threads: all functions of one roomcast_viewer, roomcast_publisher, roomcast_recorder or
+ * roomcast_reader may be called from several threads at the same time, except the function that
+ * ends it: that call must be the last. Different ones are independent of each other. A
+ * roomcast_frames is immutable: several threads may read it until it is freed. Its pictures stay
+ * valid after the viewer is disconnected. Memory that a caller passes in is read or written during
+ * the call only.
  *
  * Versions: every later libroomcast.so.1 is compatible with this header. Structures grow only at
  * their end. Set a structure's `size` to its sizeof before each call: the library reads and writes
@@ -40,6 +41,7 @@ typedef struct roomcast_viewer roomcast_viewer;
 typedef struct roomcast_frames roomcast_frames;
 typedef struct roomcast_recorder roomcast_recorder;
 typedef struct roomcast_publisher roomcast_publisher;
+typedef struct roomcast_reader roomcast_reader;
 
 /* The room to join. Strings may be NULL: not given. */
 typedef struct roomcast_options {
@@ -213,6 +215,31 @@ ROOMCAST_API int roomcast_is_publishing(roomcast_publisher* publisher, char* err
                                         size_t error_size);
 /* Leaves the room and frees the publisher. Frames that still wait may be lost. NULL is ignored. */
 ROOMCAST_API void roomcast_stop_publishing(roomcast_publisher* publisher);
+
+/* ---- Reading recordings, without a hub: since 1.5.0 ---- */
+
+/* Opens a recording: FILE.mcap of roomcast, or the folder of a rig or of a TUM RGB-D recording.
+ * `roomcast import` turns recordings of other programs into rigs. */
+ROOMCAST_API roomcast_reader* roomcast_open(const char* path, char* error, size_t error_size);
+/* The next frame set: the pictures of all sensors at one instant, one that missed it with its last
+ * ones. Here capture_ns counts from the recording's beginning, and capture_utc_ns is 0 if the
+ * recording does not tell the time of day. NULL: the end, where `error` becomes empty, or a damaged
+ * place, which `error` describes; where possible the next call goes on behind it. Free the result
+ * with roomcast_free_frames, also after the reader is closed. */
+ROOMCAST_API roomcast_frames* roomcast_next_frames(roomcast_reader* reader, char* error,
+                                                   size_t error_size);
+/* The sensors of the recording, whose calibration is known before the first pictures: fills
+ * `sensor` without pictures and pose. 0: there is no such sensor. */
+ROOMCAST_API size_t roomcast_recorded_sensor_count(roomcast_reader* reader);
+ROOMCAST_API int roomcast_get_recorded_sensor(roomcast_reader* reader, size_t number,
+                                              roomcast_sensor* sensor);
+/* 0: unknown. */
+ROOMCAST_API int64_t roomcast_recorded_length_ns(roomcast_reader* reader);
+/* As roomcast_may_export, of the room when it was recorded. */
+ROOMCAST_API int roomcast_may_export_recorded(roomcast_reader* reader, char* error,
+                                              size_t error_size);
+/* Closes the recording and frees the reader. NULL is ignored. */
+ROOMCAST_API void roomcast_close(roomcast_reader* reader);
 
 #ifdef __cplusplus
 }

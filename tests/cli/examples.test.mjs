@@ -59,8 +59,8 @@ test('c_example_is_a_sensor_whose_depth_arrives_unchanged', { skip }, async (t) 
   assert.ok(Number(/^(\d+) frames sent, \d+ skipped/.exec(stdout)?.[1]) > 30, stdout);
 });
 
-test('c_example_of_a_sensor_is_short_enough_to_read', () => {
-  assert.ok(readFileSync(join(examples, 'sensor.c'), 'utf8').trimEnd().split('\n').length < 40);
+test('c_examples_are_short_enough_to_read', () => {
+  for (const name of ['sensor.c', 'read.c']) assert.ok(readFileSync(join(examples, name), 'utf8').trimEnd().split('\n').length < 40, name);
 });
 
 test('cpp_example_records_the_room', { skip }, async (t) => {
@@ -73,6 +73,21 @@ test('cpp_example_records_the_room', { skip }, async (t) => {
   const info = await run('info', file, '--json');
   assert.equal(info.code, 0, info.stderr);
   assert.ok(JSON.parse(info.stdout).sensors.every(({ frames }) => frames > 5));
+});
+
+test('c_example_reads_a_recording_without_a_hub', { skip }, async (t) => {
+  const hub = await startRoom(t);
+  const file = join(scratchFolder(t), 'room.mcap');
+  assert.equal((await run('record', file, '--hub', hub.url, '--seconds', '2')).code, 0);
+  const { code, stdout, stderr } = await runOther(join(build, 'bin/roomcast_example_read'), file);
+  assert.equal(code, 0, stderr);
+  assert.match(stdout, /^s0: 64 x 48, focal length 60\.0\ns1: 64 x 48, focal length 60\.0$/m);
+  assert.match(stdout, /^\d+\.\d{3} s: s1, 1[67]\d\d mm in the middle$/m);
+  const [, sets, points] = /^(\d+) sets, (\d+) points$/m.exec(stdout) ?? assert.fail(stdout);
+  assert.ok(sets > 5 && points > 64 * 48 * sets, stdout);
+  const failed = await runOther(join(build, 'bin/roomcast_example_read'), '/nowhere.mcap');
+  assert.equal(failed.code, 1);
+  assert.match(failed.stderr, /nowhere/);
 });
 
 test('python_example_reads_depth_and_is_seen_by_others', { skip }, async (t) => {
