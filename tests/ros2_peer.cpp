@@ -5,6 +5,8 @@
 //                                             or TFMessage; QUALITY sensor_data or reliable
 //   camera DOMAIN                             is a camera: depth and colour, 20 times a second
 // Ends after 25 s at the latest.
+#include "tests/ros2_peer.h"
+
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
@@ -14,8 +16,6 @@
 #include <thread>
 
 #include <nlohmann/json.hpp>
-
-#include "tests/ros2_peer.h"
 
 namespace ros2_peer {
 namespace {
@@ -36,13 +36,23 @@ json of(const Header& header) {
   return {{"sec", header.sec}, {"nanosec", header.nanosec}, {"frame_id", header.frame_id}};
 }
 json of(const Picture& m) {
-  return {{"header", of(m.header)}, {"height", m.height}, {"width", m.width},
-          {"encoding", m.encoding}, {"is_bigendian", m.is_bigendian}, {"step", m.step},
+  return {{"header", of(m.header)},
+          {"height", m.height},
+          {"width", m.width},
+          {"encoding", m.encoding},
+          {"is_bigendian", m.is_bigendian},
+          {"step", m.step},
           {"data", hex(m.data)}};
 }
 json of(const CameraInfo& m) {
-  return {{"header", of(m.header)}, {"height", m.height}, {"width", m.width},
-          {"distortion_model", m.distortion_model}, {"d", m.d}, {"k", m.k}, {"r", m.r}, {"p", m.p},
+  return {{"header", of(m.header)},
+          {"height", m.height},
+          {"width", m.width},
+          {"distortion_model", m.distortion_model},
+          {"d", m.d},
+          {"k", m.k},
+          {"r", m.r},
+          {"p", m.p},
           {"binning", {m.binning_x, m.binning_y}},
           {"roi", {m.x_offset, m.y_offset, m.roi_height, m.roi_width, m.do_rectify}}};
 }
@@ -50,19 +60,28 @@ json of(const PointCloud2& m) {
   json fields = json::array();
   for (const PointField& f : m.point_fields)
     fields.push_back({f.name, f.offset, f.datatype, f.count});
-  return {{"header", of(m.header)}, {"height", m.height}, {"width", m.width}, {"fields", fields},
-          {"is_bigendian", m.is_bigendian}, {"point_step", m.point_step}, {"row_step", m.row_step},
-          {"data", hex(m.data)}, {"is_dense", m.is_dense}};
+  return {{"header", of(m.header)},
+          {"height", m.height},
+          {"width", m.width},
+          {"fields", fields},
+          {"is_bigendian", m.is_bigendian},
+          {"point_step", m.point_step},
+          {"row_step", m.row_step},
+          {"data", hex(m.data)},
+          {"is_dense", m.is_dense}};
 }
 json of(const TFMessage& m) {
   json list = json::array();
   for (const TransformStamped& t : m.transforms)
-    list.push_back({{"header", of(t.header)}, {"child_frame_id", t.child_frame_id},
-                    {"translation", t.translation}, {"rotation", t.rotation}});
+    list.push_back({{"header", of(t.header)},
+                    {"child_frame_id", t.child_frame_id},
+                    {"translation", t.translation},
+                    {"rotation", t.rotation}});
   return {{"transforms", list}};
 }
 
-int read(int domain, int count, const std::string& quality, const std::vector<std::string>& topics) {
+int read(int domain, int count, const std::string& quality,
+         const std::vector<std::string>& topics) {
   Peer peer(domain);
   std::mutex mutex;
   std::atomic<int> left = count * static_cast<int>(topics.size());
@@ -122,15 +141,17 @@ int camera(int domain) {
   c.encoding = "rgb8", c.step = 3 * kWidth;
   for (std::uint32_t i = 0; i < kWidth * kHeight; ++i) {
     const std::uint32_t mm = 1000 + i % kWidth + 10 * (i / kWidth);
-    d.data.insert(d.data.end(), {static_cast<std::uint8_t>(mm), static_cast<std::uint8_t>(mm >> 8)});
+    d.data.insert(d.data.end(),
+                  {static_cast<std::uint8_t>(mm), static_cast<std::uint8_t>(mm >> 8)});
     c.data.insert(c.data.end(), {200, 100, 50});
   }
   std::cout << "camera" << std::endl;
   for (const auto end = steady_clock::now() + kLongest; steady_clock::now() < end;) {
     const auto now = std::chrono::system_clock::now().time_since_epoch();
-    d.header = {static_cast<std::int32_t>(now / std::chrono::seconds(1)),
-                static_cast<std::uint32_t>(now % std::chrono::seconds(1) / std::chrono::nanoseconds(1)),
-                "peer_depth"};
+    d.header = {
+        static_cast<std::int32_t>(now / std::chrono::seconds(1)),
+        static_cast<std::uint32_t>(now % std::chrono::seconds(1) / std::chrono::nanoseconds(1)),
+        "peer_depth"};
     c.header = d.header;
     c.header.frame_id = "peer_color";
     CameraInfo of_depth = info_of(d.header), of_color = info_of(c.header);

@@ -21,4 +21,5 @@ import './trouble.test.mjs';
 import './study.test.mjs';
 import './voice.test.mjs';
 import './reverse_proxy.test.mjs';
+import './two_recordings.test.mjs';
 import './other_hub.test.mjs';

@@ -99,6 +99,15 @@ export async function startHub(port = 0, { data, more = [] } = {}) {
   return hub;
 }
 
+/** Starts hub, aligner, page and these sources in one program. */
+export async function startDemo(...sources) {
+  const args = ['demo', '--port', '0', '--web', webFolder, '--verbose', ...sources.flatMap((source) => ['--source', source])];
+  const demo = new Program('demo', args);
+  const [, found] = await demo.says(/open http:\/\/127\.0\.0\.1:(\d+)\//);
+  demo.page = `http://127.0.0.1:${found}/`;
+  return demo;
+}
+
 /** Sensor number `n` of a simulated room, or of the recording `rig`; `log` is a file for one JSON line per frame sent. */
 export function startSensor(hub, n, { fps = 5, log, rig, token } = {}) {
   const args = [
