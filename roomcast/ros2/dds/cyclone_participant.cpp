@@ -12,9 +12,11 @@ namespace roomcast::ros2 {
 namespace {
 
 /// Programs of this computer find each other without multicast, which its loopback may not have.
+/// Its packets may be of 64 KiB: a picture is a tenth of the system calls that it is in a network.
 constexpr const char* kOnlyLocalhost =
     "<CycloneDDS><Domain><General><Interfaces><NetworkInterface address='127.0.0.1'/></Interfaces>"
-    "<AllowMulticast>false</AllowMulticast></General><Discovery>"
+    "<AllowMulticast>false</AllowMulticast><MaxMessageSize>65000B</MaxMessageSize>"
+    "<FragmentSize>63000B</FragmentSize></General><Discovery>"
     "<ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
     "<Peers><Peer address='127.0.0.1'/></Peers></Discovery></Domain></CycloneDDS>";
 
