@@ -14,6 +14,6 @@ while IFS= read -r -d '' document; do
   up=${slashes//\//..\/}  # from the document to the folder of documents
   out=../$up
   sed -E -i \
-    -e "s#\]\(${out}packaging/(grafana/)?(roomcast\.(toml|json))\)#](${up}examples/\2)#g" \
+    -e "s#\]\(${out}packaging/(grafana/|alerts/)?(roomcast\.(toml|json|rules\.yml))\)#](${up}examples/\2)#g" \
     -e "s#\[([^]]*)\]\(${out}[^)]*\)#\1#g" "$document"
 done < <(find "$folder" -name '*.md' -print0)
