@@ -108,9 +108,8 @@ void add_ros2_command(CLI::App& app, Command& chosen) {
       "depth/camera_info, color/image_raw, color/camera_info and points. Only what somebody reads\n"
       "is made. Without --insecure, start ROS 2's programs with ROS_LOCALHOST_ONLY=1.\n"
       "Example:\n  roomcast ros2 --hub ws://127.0.0.1:7600");
-  command->callback([options, &chosen] {
-    chosen = [options] { return finish("ros2", run_ros2(*options)); };
-  });
+  command->callback(
+      [options, &chosen] { chosen = [options] { return finish("ros2", run_ros2(*options)); }; });
 }
 
 }  // namespace roomcast::cli

@@ -60,7 +60,8 @@ void read_place(const nlohmann::json& camera, CwipcCamera& out) {
   const auto transform = matrix ? transform_from_row_major(*matrix)
                                 : Result<RigidTransform>(malformed("not a matrix"));
   if (!transform) {
-    out.note = std::string("its pose in ") + kCwipcFile + " is not used, because it is no rotation "
+    out.note = std::string("its pose in ") + kCwipcFile +
+               " is not used, because it is no rotation "
                "and translation";
   } else if (!is_unplaced(*transform)) {
     out.world_from_camera = *transform;

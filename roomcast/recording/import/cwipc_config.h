@@ -25,7 +25,7 @@ struct CwipcCamera {
   std::string serial;
   std::optional<RigidTransform> world_from_camera;  // nothing: not placed
   bool is_color_camera = true;                      // of which `world_from_camera` is; else depth's
-  std::string note;  // a sentence, if its trafo cannot be used
+  std::string note;                                 // a sentence, if its trafo cannot be used
 };
 
 /// Cameras that are not disabled. kNotFound; kMalformed, kUnsupported, kTooLarge: messages name the

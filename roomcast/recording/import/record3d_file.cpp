@@ -154,8 +154,7 @@ class Record3dFile final : public SensorFile {
     const ZipEntry* const entry = archive_.find(kMetadata);
     if (entry == nullptr)
       return Error{ErrorCode::kUnsupported, "it is not a recording of Record3D: no metadata"};
-    if (Status status = archive_.extract(*entry, kMaxMetadataBytes, bytes_); !status)
-      return status;
+    if (Status status = archive_.extract(*entry, kMaxMetadataBytes, bytes_); !status) return status;
     auto metadata = parse_record3d(bytes_);
     if (!metadata) return metadata.error();
     auto frames = frames_in(archive_);

@@ -77,9 +77,9 @@ TEST(Record3dFile, gives_depth_colour_camera_and_times) {
   ASSERT_TRUE(file.ok()) << file.error().message;
   const SensorFileInfo& info = (*file)->info();
   EXPECT_EQ(info.description.name, "lab");
-  EXPECT_THAT(info.times, testing::ElementsAre(nanoseconds(10'000'000'000),
-                                               nanoseconds(10'050'000'000),
-                                               nanoseconds(10'125'000'000)));
+  EXPECT_THAT(info.times,
+              testing::ElementsAre(nanoseconds(10'000'000'000), nanoseconds(10'050'000'000),
+                                   nanoseconds(10'125'000'000)));
   const SensorCalibration& calibration = info.description.calibration;
   EXPECT_EQ(calibration.color.fx, 200);
   EXPECT_EQ(calibration.color.cy, 63.5);
@@ -122,8 +122,7 @@ TEST(Record3dFile, times_that_are_missing_are_those_of_the_rate) {
 TEST(Record3dFile, a_size_that_is_not_told_is_found) {
   ZipWriter writer;
   R3dBytes depth(192 * 256 * sizeof(float));
-  writer
-      .add("metadata", R"({"w": 720, "h": 960, "K": [700, 0, 0, 0, 700, 0, 360, 480, 1]})")
+  writer.add("metadata", R"({"w": 720, "h": 960, "K": [700, 0, 0, 0, 700, 0, 360, 480, 1]})")
       .add("rgbd/0.depth", depth);
   const auto file = read_r3d(writer);
   ASSERT_TRUE(file.ok()) << file.error().message;

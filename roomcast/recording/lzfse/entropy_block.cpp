@@ -37,10 +37,10 @@ constexpr std::array<ValueCode, kCount> codes_of(const std::array<unsigned, kCou
   return codes;
 }
 
-constexpr auto kLiteralCounts = codes_of<kCountSymbols>(
-    {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 3, 5, 8});
-constexpr auto kMatchLengths = codes_of<kCountSymbols>(
-    {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 5, 8, 11});
+constexpr auto kLiteralCounts =
+    codes_of<kCountSymbols>({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 3, 5, 8});
+constexpr auto kMatchLengths =
+    codes_of<kCountSymbols>({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 5, 8, 11});
 constexpr auto kDistances = [] {
   std::array<unsigned, kDistanceSymbols> bits{};
   for (unsigned i = 0; i < kDistanceSymbols; ++i) bits[i] = i / 4;
@@ -52,16 +52,15 @@ static_assert(kLiteralCounts.back().base == 60 && kMatchLengths.back().base == 3
 struct EntropyHead {
   std::size_t head_bytes = 0;
   std::uint32_t raw_bytes = 0, literals = 0, matches = 0;
-  std::uint32_t literal_bytes = 0, match_bytes = 0;  // of the two parts
+  std::uint32_t literal_bytes = 0, match_bytes = 0;         // of the two parts
   unsigned literal_unused_bits = 0, match_unused_bits = 0;  // at their ends
   std::array<std::uint32_t, 4> literal_states{};
   std::uint32_t count_state = 0, length_state = 0, distance_state = 0;
   std::array<std::uint16_t, kFrequencies> frequencies{};
 
   [[nodiscard]] bool is_possible(std::size_t block_bytes) const {
-    const bool has_states = std::ranges::all_of(literal_states, [](std::uint32_t state) {
-      return state < kLiteralStates;
-    });
+    const bool has_states = std::ranges::all_of(
+        literal_states, [](std::uint32_t state) { return state < kLiteralStates; });
     return has_states && count_state < kCountStates && length_state < kCountStates &&
            distance_state < kDistanceStates && literals <= kMaxLiterals && literals % 4 == 0 &&
            matches <= kMaxMatches && literal_unused_bits <= 7 && match_unused_bits <= 7 &&
@@ -89,9 +88,11 @@ bool read_frequencies(ByteSpan bytes, std::array<std::uint16_t, kFrequencies>& f
       waiting |= std::uint32_t{bytes[0]} << count;
     // 00: 0, 10: 1, x01: 2 or 3, xx011: 4 to 7, xxxx0111: 8 and more, x..x1111: 24 and more.
     const std::uint32_t low = waiting & 15U;
-    const unsigned bits = (low & 1U) == 0 ? 2 : (low & 2U) == 0 ? 3 : (low & 4U) == 0 ? 5
-                          : low == 7                                               ? 8
-                                                                                   : 14;
+    const unsigned bits = (low & 1U) == 0   ? 2
+                          : (low & 2U) == 0 ? 3
+                          : (low & 4U) == 0 ? 5
+                          : low == 7        ? 8
+                                            : 14;
     if (bits > count) return false;
     const std::uint16_t code = take(bits);
     switch (bits) {
@@ -128,8 +129,7 @@ std::optional<EntropyHead> read_head_v1(ByteSpan bytes) {
   head.count_state = read_u16(at + 44);
   head.length_state = read_u16(at + 46);
   head.distance_state = read_u16(at + 48);
-  for (std::size_t i = 0; i < kFrequencies; ++i)
-    head.frequencies[i] = read_u16(at + 50 + 2 * i);
+  for (std::size_t i = 0; i < kFrequencies; ++i) head.frequencies[i] = read_u16(at + 50 + 2 * i);
   return head;
 }
 
@@ -176,8 +176,8 @@ EntropyTable table_of(std::span<const std::uint16_t> frequencies, std::uint32_t 
     const std::uint32_t wide = ((2 * states) >> bits) - frequency;
     for (std::uint32_t i = 0; i < frequency; ++i) {
       const bool is_wide = i < wide;
-      const std::uint32_t next = is_wide ? ((frequency + i) << bits) - states
-                                         : (i - wide) << (bits - 1);
+      const std::uint32_t next =
+          is_wide ? ((frequency + i) << bits) - states : (i - wide) << (bits - 1);
       table.push_back({static_cast<std::uint16_t>(symbol), static_cast<std::uint16_t>(next),
                        static_cast<std::uint8_t>(is_wide ? bits : bits - 1)});
     }
@@ -201,9 +201,9 @@ class BackwardBits {
     left_ -= count;
     std::uint64_t window = 0;
     const std::size_t first = left_ / 8, end = std::min(first + 8, bytes_.size());
-    for (std::size_t i = first; i < end; ++i) window |= std::uint64_t{bytes_[i]} << (8 * (i - first));
-    return static_cast<std::uint32_t>(window >> (left_ % 8) &
-                                      ((std::uint64_t{1} << count) - 1));
+    for (std::size_t i = first; i < end; ++i)
+      window |= std::uint64_t{bytes_[i]} << (8 * (i - first));
+    return static_cast<std::uint32_t>(window >> (left_ % 8) & ((std::uint64_t{1} << count) - 1));
   }
 
  private:

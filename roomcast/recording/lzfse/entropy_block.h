@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decodes an LZFSE block whose literals and matches are coded by finite-state entropy: a header with
-// the frequencies of all symbols, the literals, then triples of literal count, match length and
-// distance. Both parts are read from their ends backwards. Thread-safe (no state).
+// Decodes an LZFSE block whose literals and matches are coded by finite-state entropy: a header
+// with the frequencies of all symbols, the literals, then triples of literal count, match length
+// and distance. Both parts are read from their ends backwards. Thread-safe (no state).
 #pragma once
 
 #include <cstdint>

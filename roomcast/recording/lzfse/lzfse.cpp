@@ -8,9 +8,9 @@
 namespace roomcast::recording {
 namespace {
 
-constexpr std::uint32_t kEndBlock = 0x24787662;      // "bvx$"
-constexpr std::uint32_t kPlainBlock = 0x2D787662;    // "bvx-"
-constexpr std::uint32_t kLzvnBlock = 0x6E787662;     // "bvxn"
+constexpr std::uint32_t kEndBlock = 0x24787662;       // "bvx$"
+constexpr std::uint32_t kPlainBlock = 0x2D787662;     // "bvx-"
+constexpr std::uint32_t kLzvnBlock = 0x6E787662;      // "bvxn"
 constexpr std::uint32_t kEntropyBlock1 = 0x31787662;  // "bvx1"
 constexpr std::uint32_t kEntropyBlock2 = 0x32787662;  // "bvx2"
 constexpr std::size_t kPlainHeadBytes = 8, kLzvnHeadBytes = 12;
@@ -18,8 +18,7 @@ constexpr std::size_t kPlainHeadBytes = 8, kLzvnHeadBytes = 12;
 std::optional<std::size_t> decode_plain_block(std::span<const std::uint8_t> bytes, LzOutput& out) {
   if (bytes.size() < kPlainHeadBytes) return std::nullopt;
   const std::size_t size = read_u32(bytes.data() + 4);
-  if (bytes.size() - kPlainHeadBytes < size ||
-      !out.append(bytes.subspan(kPlainHeadBytes, size)))
+  if (bytes.size() - kPlainHeadBytes < size || !out.append(bytes.subspan(kPlainHeadBytes, size)))
     return std::nullopt;
   return kPlainHeadBytes + size;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decodes LZFSE, the compression of depth in Record3D's files: blocks of plain bytes, of LZVN, or of
-// matches and literals that are coded by finite-state entropy (Duda 2013). The format is that of
+// Decodes LZFSE, the compression of depth in Record3D's files: blocks of plain bytes, of LZVN, or
+// of matches and literals that are coded by finite-state entropy (Duda 2013). The format is that of
 // Apple's published reference (github.com/lzfse/lzfse); there is no encoder here. Bytes are
 // untrusted. Thread-safe (no state).
 #pragma once

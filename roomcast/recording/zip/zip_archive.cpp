@@ -126,10 +126,13 @@ Status ZipArchive::read_directory() {
     const std::size_t whole = kEntryBytes + name_size + extra_size + read_u16(at + 32);
     if (whole > rest.size()) return damaged_zip();
     const std::uint16_t method = read_u16(at + 10);
-    ZipEntry entry{read_u32(at + 42), read_u32(at + 20), read_u32(at + 24), read_u32(at + 16),
-                   method == kDeflated,
-                   (read_u16(at + 8) & kEncrypted) == 0 &&
-                       (method == kStored || method == kDeflated)};
+    ZipEntry entry{
+        read_u32(at + 42),
+        read_u32(at + 20),
+        read_u32(at + 24),
+        read_u32(at + 16),
+        method == kDeflated,
+        (read_u16(at + 8) & kEncrypted) == 0 && (method == kStored || method == kDeflated)};
     if (!take_64(rest.subspan(kEntryBytes + name_size, extra_size), entry)) return damaged_zip();
     entries_[std::string(reinterpret_cast<const char*>(at) + kEntryBytes, name_size)] = entry;
     rest = rest.subspan(whole);

@@ -53,7 +53,11 @@ TEST(ZipArchive, another_program_is_understood) {
 TEST(ZipArchive, what_is_cut_is_refused) {
   const ZipBytes bytes = two_files().done();
   for (std::size_t size = 0; size < bytes.size(); ++size)
-    EXPECT_FALSE(ZipArchive::read(bytes_in_memory({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)})).ok()) << size;
+    EXPECT_FALSE(
+        ZipArchive::read(
+            bytes_in_memory({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)}))
+            .ok())
+        << size;
 }
 
 TEST(ZipArchive, damaged_files_are_refused_one_by_one) {

@@ -17,8 +17,8 @@ class ZipWriter {
 
   ZipWriter& add(const std::string& name, const Bytes& content, bool deflated = false) {
     const Bytes packed = deflated ? deflate_raw(content) : content;
-    const auto crc = static_cast<std::uint32_t>(
-        crc32(0, content.data(), static_cast<uInt>(content.size())));
+    const auto crc =
+        static_cast<std::uint32_t>(crc32(0, content.data(), static_cast<uInt>(content.size())));
     const std::size_t offset = file_.size();
     number(file_, 0x04034B50, 4);
     fields(file_, deflated, crc, packed.size(), content.size(), name);
