@@ -93,8 +93,8 @@ class Publisher::Link final : public HubLinkEvents {
       link_.send(*bundle_);
     });
   }
-  void report_health(const wire::pb::SensorHealth& health) {
-    boost::asio::post(network_.io(), [this, health] { link_.send(health_message(health)); });
+  void send(wire::pb::Control message) {
+    boost::asio::post(network_.io(), [this, message = std::move(message)] { link_.send(message); });
   }
   void report_moved() {
     boost::asio::post(network_.io(), [this] {
@@ -104,16 +104,13 @@ class Publisher::Link final : public HubLinkEvents {
     });
   }
 
-  void send_sightings(wire::pb::Sightings sightings) {
-    boost::asio::post(network_.io(), [this, sightings = std::move(sightings)]() mutable {
-      wire::pb::Control message;
-      *message.mutable_sightings() = std::move(sightings);
-      link_.send(message);
-    });
-  }
   wire::pb::SightingRequest wanted_sightings() const {
     std::lock_guard lock(mutex_);
     return shared_.connected ? shared_.wanted_sightings : wire::pb::SightingRequest();
+  }
+  std::optional<double> depth_scale() const {
+    std::lock_guard lock(mutex_);
+    return shared_.depth_scale;
   }
   std::optional<RoomTime> room_time(HostTime time) const {
     std::lock_guard lock(mutex_);
@@ -160,6 +157,7 @@ class Publisher::Link final : public HubLinkEvents {
     bool want_key = false;
     bool frames_wanted = true;
     wire::pb::SightingRequest wanted_sightings;
+    std::optional<double> depth_scale;
     std::optional<ClockEstimate> clock;
     std::size_t unsent = 0, unsent_bytes = 0;  // frames
     std::optional<Error> down;                 // why there is no connection now
@@ -224,6 +222,7 @@ void Publisher::Link::on_control(const wire::pb::Control& message) {
     std::lock_guard lock(mutex_);
     if (message.has_key_request()) shared_.want_key = true;
     if (message.has_sighting_request()) shared_.wanted_sightings = message.sighting_request();
+    if (message.has_depth_scale()) shared_.depth_scale = message.depth_scale().factor();
     if (!message.has_frame_demand() || options_.send_unwatched) return;
     const bool was_wanted = std::exchange(shared_.frames_wanted, message.frame_demand().wanted());
     if (shared_.frames_wanted && !was_wanted) shared_.want_key = true;  // its viewers are new
@@ -362,8 +361,8 @@ void Publisher::send_bundle(wire::pb::CalibrationBundle bundle) {
   link_->send_bundle(std::move(bundle));
 }
 
-void Publisher::report_health(const wire::pb::SensorHealth& health) {
-  link_->report_health(health);
+void Publisher::send(wire::pb::Control message) {
+  link_->send(std::move(message));
 }
 void Publisher::report_moved() {
   link_->report_moved();
@@ -372,8 +371,8 @@ void Publisher::report_moved() {
 wire::pb::SightingRequest Publisher::wanted_sightings() const {
   return link_->wanted_sightings();
 }
-void Publisher::send_sightings(wire::pb::Sightings sightings) {
-  link_->send_sightings(std::move(sightings));
+std::optional<double> Publisher::depth_scale() const {
+  return link_->depth_scale();
 }
 std::optional<RoomTime> Publisher::room_time(HostTime time) const {
   return link_->room_time(time);

@@ -98,8 +98,9 @@ class Publisher {
   /// reconnection.
   void send_bundle(wire::pb::CalibrationBundle bundle);
 
-  /// Reports how much other sensors disturb this one. Lost without a connection.
-  void report_health(const wire::pb::SensorHealth& health);
+  /// Sends what the sensor has to say at the moment: its health, sightings, instants. Lost without
+  /// a connection.
+  void send(wire::pb::Control message);
 
   /// Reports that the sensor was moved: its known pose is invalid. A new bundle should follow.
   void report_moved();
@@ -107,7 +108,9 @@ class Publisher {
   /// The sightings that the room's aligner requests; nothing if it requests none, or without a
   /// connection.
   [[nodiscard]] wire::pb::SightingRequest wanted_sightings() const;
-  void send_sightings(wire::pb::Sightings sightings);
+  /// The factor by which the sensor must multiply its readings, by the hub's last word; nothing:
+  /// the hub said none.
+  [[nodiscard]] std::optional<double> depth_scale() const;
   /// Converts to room time; nothing while room time is not known.
   [[nodiscard]] std::optional<RoomTime> room_time(HostTime time) const;
 

@@ -25,10 +25,4 @@ wire::pb::Control moved_message() {
   return message;
 }
 
-wire::pb::Control health_message(const wire::pb::SensorHealth& health) {
-  wire::pb::Control message;
-  *message.mutable_sensor_health() = health;
-  return message;
-}
-
 }  // namespace roomcast::client

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The messages by which a sensor joins its hub and reports its state.
+// The messages by which a sensor joins its hub and says that it was moved.
 #pragma once
 
 #include "roomcast/client/publisher.h"
@@ -10,6 +10,5 @@ namespace roomcast::client {
 [[nodiscard]] wire::pb::Join join_message(const PublisherOptions& options);
 /// The sensor was moved.
 [[nodiscard]] wire::pb::Control moved_message();
-[[nodiscard]] wire::pb::Control health_message(const wire::pb::SensorHealth& health);
 
 }  // namespace roomcast::client

@@ -30,6 +30,7 @@ struct SensorPose {
   PoseState state = PoseState::kNone;
   double expected_error_mm = 0;  // of an estimated pose, 2.5 m ahead of the sensor; 0: unknown
   std::string note = {};         // for people: why alignment could not place the sensor
+  double depth_scale = 1;        // factor on the camera's readings that the pose assumes
 
   [[nodiscard]] bool is_placed() const { return source != PoseSource::kNone; }
   /// By alignment, now or earlier.

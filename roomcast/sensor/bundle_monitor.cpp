@@ -26,8 +26,12 @@ bool is_stationary(const alignment::CalibrationBundle& bundle) {
 
 }  // namespace
 
-BundleMonitor::BundleMonitor(std::string name, const SensorCalibration& calibration)
-    : name_(std::move(name)), calibration_(calibration), capture_(name_, calibration_) {}
+BundleMonitor::BundleMonitor(std::string name, const SensorCalibration& calibration,
+                             double depth_scale)
+    : name_(std::move(name)),
+      calibration_(calibration),
+      depth_scale_(depth_scale),
+      capture_(name_, calibration_) {}
 
 Result<BundleUpdate> BundleMonitor::add(const source::CapturedFrame& frame) {
   if (!watch_) return capture(frame);
@@ -54,6 +58,7 @@ Result<BundleUpdate> BundleMonitor::finish() {
   auto bundle = capture_.finish();
   if (!bundle) return bundle.error();
   if (was_moved_ && !is_stationary(*bundle)) return BundleUpdate{};
+  bundle->depth_scale = depth_scale_;
   auto message = message_from_bundle(*bundle);
   if (!message) return message.error();
   watch_.emplace(*bundle);

@@ -23,7 +23,8 @@ struct BundleUpdate {
 
 class BundleMonitor {
  public:
-  BundleMonitor(std::string name, const SensorCalibration& calibration);
+  /// `depth_scale`: the factor by which the depth of all frames is already multiplied.
+  BundleMonitor(std::string name, const SensorCalibration& calibration, double depth_scale = 1);
 
   /// Takes frames in the order of capture. Errors say why the sensor cannot be placed by what it
   /// sees; the next frames are another attempt.
@@ -40,6 +41,7 @@ class BundleMonitor {
 
   std::string name_;
   SensorCalibration calibration_;
+  double depth_scale_;
   alignment::BundleCapture capture_;
   std::optional<alignment::CalibrationBundle> bundle_;
   std::optional<alignment::PoseChangeDetector> watch_;  // while there is a bundle

@@ -6,15 +6,20 @@
 #include <mutex>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "roomcast/client/publisher.h"
+#include "roomcast/core/depth_factor.h"
 #include "roomcast/sensor/bundle_monitor.h"
 #include "roomcast/sensor/frame_log.h"
+#include "roomcast/sensor/instant_reporter.h"
 #include "roomcast/sensor/interference_filter.h"
 #include "roomcast/sensor/plane_completion.h"
 #include "roomcast/sensor/preview.h"
 #include "roomcast/sensor/sender/frame_sender.h"
 #include "roomcast/sensor/sighting_detector.h"
 #include "roomcast/wire/limits.h"
+#include "roomcast/wire/sighting_request.h"
 
 namespace roomcast::sensor {
 namespace {
@@ -69,6 +74,7 @@ class SensorFeed::Worker {
       } else if (!*more) {
         break;
       } else {
+        correct_depth();
         report_place();
         if (sender_->publisher().frames_wanted()) status = process_captured();
         if (status) show_preview();
@@ -102,8 +108,7 @@ class SensorFeed::Worker {
   bool may_idle() const {
     const client::Publisher& publisher = sender_->publisher();
     if (publisher.frames_wanted() || !has_tried_bundle_) return false;
-    const wire::pb::SightingRequest sightings = publisher.wanted_sightings();
-    return !sightings.heads() && !sightings.tags();
+    return !wire::wants_any(publisher.wanted_sightings());
   }
 
   /// Waits until the next frame is needed.
@@ -130,7 +135,7 @@ class SensorFeed::Worker {
       if (log_) log_(LogLevel::kInfo, "this sensor was moved");
     }
     if (news->bundle) sender_->publisher().send_bundle(*std::move(news->bundle));
-    if (news->moved || news->bundle) sighting_detector_.stand(bundle_.bundle());
+    if (news->moved || news->bundle) stand(bundle_.bundle());
     report_sightings();
   }
 
@@ -138,8 +143,41 @@ class SensorFeed::Worker {
     sighting_detector_.want(sender_->publisher().wanted_sightings());
     const auto taken = sender_->publisher().room_time(captured_.capture_time);
     if (!taken) return;
-    if (auto sightings = sighting_detector_.add(captured_, *taken))
-      sender_->publisher().send_sightings(*std::move(sightings));
+    if (auto sightings = sighting_detector_.add(captured_, *taken)) {
+      wire::pb::Control message;
+      *message.mutable_sightings() = *std::move(sightings);
+      sender_->publisher().send(std::move(message));
+    }
+    if (!sender_->publisher().wanted_sightings().instants()) return;
+    if (auto instant = instants_.add(captured_.depth_mm, *taken)) {
+      instant->set_depth_scale(depth_scale_);
+      wire::pb::Control message;
+      *message.mutable_depth_instant() = *std::move(instant);
+      sender_->publisher().send(std::move(message));
+    }
+  }
+
+  /// Multiplies the readings by the factor that the hub has told. A new factor means a new bundle.
+  void correct_depth() {
+    const double factor = sender_->publisher().depth_scale().value_or(depth_scale_);
+    if (factor != depth_scale_) {
+      depth_scale_ = factor;
+      const source::SensorDescription& sensor = source_->description();
+      bundle_ = BundleMonitor(sensor.name, sensor.calibration, factor);
+      has_tried_bundle_ = false;
+      stand({});
+      if (log_)
+        log_(LogLevel::kInfo,
+             fmt::format("this sensor's depth is multiplied by {:.3f}, by which the room's sensors "
+                         "agree",
+                         factor));
+    }
+    if (depth_scale_ != 1) multiply_depth(captured_.depth_mm.view(), depth_scale_);
+  }
+
+  void stand(const std::optional<alignment::CalibrationBundle>& bundle) {
+    sighting_detector_.stand(bundle);
+    instants_.stand(bundle ? bundle->depth_mm : DepthImage());
   }
 
   /// Measures how much other sensors disturb this one, and removes what can be removed.
@@ -152,10 +190,11 @@ class SensorFeed::Worker {
     const InterferenceFigures figures = interference_.figures();
     if (!figures.is_known || captured_.capture_time < next_health_) return;
     next_health_ = captured_.capture_time + kHealthInterval;
-    wire::pb::SensorHealth health;
+    wire::pb::Control message;
+    wire::pb::SensorHealth& health = *message.mutable_sensor_health();
     health.set_flickering(static_cast<float>(figures.flickering));
     health.set_noise_ratio(std::min(static_cast<float>(figures.noise_ratio), wire::kMaxNoiseRatio));
-    sender_->publisher().report_health(health);
+    sender_->publisher().send(std::move(message));
     std::lock_guard lock(mutex_);
     figures_ = figures;
   }
@@ -206,7 +245,9 @@ class SensorFeed::Worker {
   BundleMonitor bundle_;
   bool has_tried_bundle_ = false;  // since it joined, or was moved
   bool is_idle_ = false;
+  double depth_scale_ = 1;  // factor on the camera's readings, by which frames are multiplied
   SightingDetector sighting_detector_;
+  InstantReporter instants_;
   std::string complaint_;   // the last reason that was logged
   bool too_large_ = false;  // the last frame was
   InterferenceFilter interference_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/sensor/sensor_feed.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <future>
@@ -10,6 +11,7 @@
 #include <boost/asio/post.hpp>
 #include <gtest/gtest.h>
 
+#include "roomcast/alignment/service/bundle_message.h"
 #include "roomcast/client/hub_fixture.h"
 #include "roomcast/client/network_thread.h"
 
@@ -24,13 +26,13 @@ struct Watched {
   std::atomic<bool> is_idle{false};
 };
 
-/// A wall, 200 times a second.
+/// A striped wall 1.5 m away, 200 times a second.
 class Wall final : public source::FrameSource {
  public:
   explicit Wall(Watched& watched) : watched_(watched) {
     description_.name = "wall";
     description_.calibration.depth = {
-        .width = 64, .height = 48, .fx = 60, .fy = 60, .cx = 32, .cy = 24};
+        .width = 128, .height = 96, .fx = 120, .fy = 120, .cx = 64, .cy = 48};
     description_.calibration.color = description_.calibration.depth;
     description_.calibration.color_is_registered = true;
     description_.fps = 200;
@@ -41,8 +43,9 @@ class Wall final : public source::FrameSource {
   void set_idle(bool is_idle) override { watched_.is_idle = is_idle; }
   [[nodiscard]] Result<bool> next(source::CapturedFrame& frame, std::stop_token stop) override {
     std::this_thread::sleep_for(5ms);
-    frame.depth_mm = DepthImage(64, 48, 1500);
-    frame.color = ColorImage(64, 48, Rgb8{90, 80, 70});
+    frame.depth_mm = DepthImage(128, 96, 1500);
+    frame.color = ColorImage(128, 96, Rgb8{90, 80, 70});
+    for (int y = 0; y < 96; ++y) frame.color.at(40, y) = frame.color.at(80, y) = Rgb8{};
     frame.index = static_cast<std::uint64_t>(watched_.frames++);
     frame.capture_time = SteadyClock().now();
     return !stop.stop_requested();
@@ -80,6 +83,19 @@ class SensorFeedTest : public testing::Test {
   std::vector<wire::FrameHeader> frames_at_hub() {
     std::promise<std::vector<wire::FrameHeader>> answer;
     boost::asio::post(network.io(), [&] { answer.set_value(hub->frames); });
+    return answer.get_future().get();
+  }
+
+  /// The last bundle that the feed has sent.
+  std::optional<wire::pb::CalibrationBundle> bundle_at_hub() {
+    std::promise<std::optional<wire::pb::CalibrationBundle>> answer;
+    boost::asio::post(network.io(), [&] {
+      std::optional<wire::pb::CalibrationBundle> last;
+      for (const wire::pb::Control& control : hub->heard) {
+        if (control.has_calibration_bundle()) last = control.calibration_bundle();
+      }
+      answer.set_value(std::move(last));
+    });
     return answer.get_future().get();
   }
 
@@ -134,6 +150,36 @@ TEST_F(SensorFeedTest, while_sightings_are_requested_it_captures_at_its_full_rat
   const int captured = source.frames;
   EXPECT_TRUE(soon([&] { return source.frames > captured + 60; }));
   EXPECT_FALSE(source.is_idle);
+}
+
+TEST_F(SensorFeedTest, it_applies_the_factor_that_the_hub_tells_and_sends_a_bundle_with_it) {
+  ASSERT_TRUE(soon([&] { return bundle_at_hub().has_value(); }));
+  EXPECT_EQ(bundle_at_hub()->depth_scale(), 1);
+  wire::pb::Control told;
+  told.mutable_depth_scale()->set_factor(1.04);
+  say(told);
+  ASSERT_TRUE(soon([&] { return bundle_at_hub()->depth_scale() == 1.04; }));
+  const auto calibration = Wall(source).description().calibration;
+  const auto bundle = alignment::bundle_from_message(*bundle_at_hub(), "wall", calibration);
+  ASSERT_TRUE(bundle.ok()) << bundle.error().message;
+  EXPECT_EQ(bundle->depth_mm.at(64, 48), 1560);
+}
+
+TEST_F(SensorFeedTest, it_reports_instants_while_they_are_requested) {
+  ASSERT_TRUE(soon([&] { return bundle_at_hub().has_value(); }));
+  const auto instants = [&] {
+    std::promise<std::size_t> answer;
+    boost::asio::post(network.io(), [&] {
+      answer.set_value(static_cast<std::size_t>(std::ranges::count_if(
+          hub->heard, [](const auto& control) { return control.has_depth_instant(); })));
+    });
+    return answer.get_future().get();
+  };
+  EXPECT_EQ(instants(), 0U);
+  wire::pb::Control request;
+  request.mutable_sighting_request()->set_instants(true);
+  say(request);
+  EXPECT_TRUE(soon([&] { return instants() > 0; })) << "also while nothing moves, now and then";
 }
 
 }  // namespace

@@ -161,9 +161,24 @@ Status check_sensor_id(std::uint32_t id) {
   return {};
 }
 
+/// `or_none`: 0 is allowed.
+Status check_depth_scale(double factor, bool or_none) {
+  if (or_none && factor == 0) return {};
+  if (!(factor >= kMinDepthScale && factor <= kMaxDepthScale))
+    return malformed("a factor on a sensor's readings must be 0.5 to 2");
+  return {};
+}
+
+Status check_instant(const pb::DepthInstant& instant) {
+  if (auto s = check_sensor_id(instant.sensor_id()); !s) return s;
+  if (instant.depth().empty()) return malformed("an instant needs depth");
+  return check_depth_scale(instant.depth_scale(), true);
+}
+
 Status check_bundle(const pb::CalibrationBundle& bundle) {
   if (auto s = check_sensor_id(bundle.sensor_id()); !s) return s;
   if (bundle.depth().empty()) return malformed("a calibration bundle needs depth");
+  if (auto s = check_depth_scale(bundle.depth_scale(), true); !s) return s;
   if (bundle.up().empty()) return {};
   if (bundle.up_size() != 3) return malformed("up must be 3 numbers");
   const double norm2 =
@@ -203,6 +218,7 @@ Status check_placements(const pb::Placements& placements) {
     if (auto s = check_sensor_id(sensor.sensor_id()); !s) return s;
     if (auto s = check_note(sensor.note()); !s) return s;
     if (auto s = check_expected_error(sensor.expected_error_mm()); !s) return s;
+    if (auto s = check_depth_scale(sensor.depth_scale(), true); !s) return s;
     if (sensor.world_from_depth().empty()) continue;
     if (auto s = check_rigid(sensor.world_from_depth(), "world_from_depth"); !s) return s;
   }
@@ -229,6 +245,7 @@ Status check_roster(const pb::Roster& roster) {
     if (auto s = check_fps(sensor.fps()); !s) return s;
     if (auto s = check_note(sensor.placement_note()); !s) return s;
     if (auto s = check_expected_error(sensor.expected_error_mm()); !s) return s;
+    if (auto s = check_depth_scale(sensor.depth_scale(), true); !s) return s;
   }
   return check_viewer_names(roster.viewers());
 }
@@ -328,6 +345,10 @@ Status check_control(const pb::Control& control) {
       return check_placements(control.placements());
     case pb::Control::kSightings:
       return check_sightings(control.sightings());
+    case pb::Control::kDepthInstant:
+      return check_instant(control.depth_instant());
+    case pb::Control::kDepthScale:
+      return check_depth_scale(control.depth_scale().factor(), false);
     case pb::Control::kNudge:
       return check_nudge(control.nudge());
     case pb::Control::kOtherHubs:

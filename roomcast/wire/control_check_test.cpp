@@ -295,5 +295,41 @@ TEST(ControlCheck, ids_and_statistics_are_checked) {
   EXPECT_FALSE(check_control(health).ok());
 }
 
+TEST(ControlCheck, a_factor_on_readings_is_about_one) {
+  pb::Control control;
+  for (const double factor : {0.5, 1.0, 2.0}) {
+    control.mutable_depth_scale()->set_factor(factor);
+    EXPECT_TRUE(check_control(control).ok()) << factor;
+  }
+  for (const double factor : {0.0, -1.0, 0.49, 2.01, kNan}) {
+    control.mutable_depth_scale()->set_factor(factor);
+    EXPECT_FALSE(check_control(control).ok()) << factor;
+  }
+}
+
+TEST(ControlCheck, an_instant_needs_depth_and_a_factor_that_makes_sense) {
+  pb::Control control;
+  auto& instant = *control.mutable_depth_instant();
+  EXPECT_FALSE(check_control(control).ok());
+  instant.set_depth("depth");
+  EXPECT_TRUE(check_control(control).ok());
+  instant.set_depth_scale(3);
+  EXPECT_FALSE(check_control(control).ok());
+  instant.set_depth_scale(1);
+  instant.set_sensor_id(1u << 16);
+  EXPECT_FALSE(check_control(control).ok());
+}
+
+TEST(ControlCheck, placements_and_bundles_with_senseless_factors_are_refused) {
+  pb::Control placements;
+  placements.mutable_placements()->add_sensors()->set_depth_scale(kNan);
+  EXPECT_FALSE(check_control(placements).ok());
+  pb::Control bundle;
+  bundle.mutable_calibration_bundle()->set_depth("depth");
+  EXPECT_TRUE(check_control(bundle).ok());
+  bundle.mutable_calibration_bundle()->set_depth_scale(0.1);
+  EXPECT_FALSE(check_control(bundle).ok());
+}
+
 }  // namespace
 }  // namespace roomcast::wire

@@ -44,9 +44,10 @@ inline constexpr std::size_t kMaxUrlBytes = 256;
 inline constexpr int kMaxPeopleHere = 64;                // that one hub reports to another
 inline constexpr std::size_t kMaxPeopleElsewhere = 128;  // in a room
 inline constexpr unsigned kMaxHubsAway = 4;
-inline constexpr int kMaxRevokedTokens = 256;  // per message
-inline constexpr float kMaxNoiseRatio = 1000;  // of a sensor's health
-inline constexpr int kMaxSightings = 64;       // of each kind, per message
+inline constexpr int kMaxRevokedTokens = 256;                      // per message
+inline constexpr float kMaxNoiseRatio = 1000;                      // of a sensor's health
+inline constexpr double kMinDepthScale = 0.5, kMaxDepthScale = 2;  // factors on readings
+inline constexpr int kMaxSightings = 64;                           // of each kind, per message
 inline constexpr unsigned kMaxImageSide = 8192;
 inline constexpr unsigned kMinDepthSide = 16;
 inline constexpr unsigned kMaxDepthSide = 4096;

@@ -55,6 +55,7 @@ Result<SensorPose> read_pose(const pb::SensorEntry& entry) {
   pose.source = source_from(entry.placement(), entry.unverified());
   pose.state = entry.moved() ? PoseState::kMoved : state_of(pose.source);
   if (pose.is_estimated()) pose.expected_error_mm = entry.expected_error_mm();
+  if (entry.depth_scale() != 0) pose.depth_scale = entry.depth_scale();
   pose.note = entry.placement_note();
   return pose;
 }
@@ -63,6 +64,7 @@ void write_pose(const SensorPose& pose, pb::SensorEntry& entry) {
   write_transform(pose.world_from_depth, *entry.mutable_world_from_depth());
   entry.set_placement(placement_from(pose.source));
   entry.set_expected_error_mm(static_cast<float>(pose.expected_error_mm));
+  if (pose.depth_scale != 1) entry.set_depth_scale(pose.depth_scale);
   entry.set_placement_note(pose.note);
   entry.set_moved(pose.is_moved());
   entry.set_unverified(pose.source == PoseSource::kStored);
@@ -76,6 +78,7 @@ SensorPose read_pose(const pb::SensorPlacement& placement) {
   pose.source = placement.unverified() ? PoseSource::kStored : PoseSource::kEstimated;
   pose.state = state_of(pose.source);
   pose.expected_error_mm = placement.expected_error_mm();
+  if (placement.depth_scale() != 0) pose.depth_scale = placement.depth_scale();
   return pose;
 }
 
@@ -83,6 +86,7 @@ void write_pose(const SensorPose& pose, pb::SensorPlacement& placement) {
   if (pose.is_placed())
     write_transform(pose.world_from_depth, *placement.mutable_world_from_depth());
   placement.set_expected_error_mm(static_cast<float>(pose.expected_error_mm));
+  placement.set_depth_scale(pose.depth_scale);
   placement.set_note(pose.note.substr(0, kMaxNoteBytes));
   placement.set_unverified(pose.source == PoseSource::kStored);
 }

@@ -87,5 +87,24 @@ TEST(PoseMessage, an_aligners_refusal_has_its_reason_and_no_pose) {
   EXPECT_EQ(read_pose(placement).note.size(), kMaxNoteBytes);
 }
 
+TEST(PoseMessage, a_factor_on_readings_travels_with_the_pose) {
+  SensorPose pose{.source = PoseSource::kEstimated, .state = PoseState::kValid};
+  pose.depth_scale = 1.04;
+  pb::SensorEntry entry;
+  write_pose(pose, entry);
+  EXPECT_EQ(read_pose(entry)->depth_scale, 1.04);
+  pb::SensorPlacement placement;
+  write_pose(pose, placement);
+  EXPECT_EQ(read_pose(placement).depth_scale, 1.04);
+}
+
+TEST(PoseMessage, an_entry_without_a_factor_means_one) {
+  SensorPose pose;
+  pb::SensorEntry entry;
+  write_pose(pose, entry);
+  EXPECT_EQ(entry.depth_scale(), 0) << "as earlier hubs wrote it";
+  EXPECT_EQ(read_pose(entry)->depth_scale, 1);
+}
+
 }  // namespace
 }  // namespace roomcast::wire

@@ -26,6 +26,8 @@ struct CalibrationBundle {
   ColorImage color;     // averaged over time
   MaskImage moving;     // depth grid; 255 at pixels that moved. Empty if nothing moved
   std::vector<DepthInstant> instants;  // at times that the sensors share; may be empty
+  /// Factor by which the sensor has multiplied its readings; nothing: it cannot be told another.
+  std::optional<double> depth_scale;
   std::optional<Eigen::Vector3d>
       up;  // against gravity, unit, depth frame: where the sensor has an IMU
 };

@@ -26,17 +26,8 @@ std::uint16_t block_median(const DepthImage& picture_mm, int left, int top) {
   return *middle;
 }
 
-DepthImage in_blocks(const DepthImage& picture_mm) {
-  DepthImage blocks(picture_mm.width() / kInstantBlock, picture_mm.height() / kInstantBlock);
-  for (int y = 0; y < blocks.height(); ++y) {
-    for (int x = 0; x < blocks.width(); ++x)
-      blocks.at(x, y) = block_median(picture_mm, kInstantBlock * x, kInstantBlock * y);
-  }
-  return blocks;
-}
-
 /// What is behind all that moves: nearly the farthest reading of each block.
-DepthImage background_of(const std::vector<DepthInstant>& instants, double rank) {
+DepthImage background_of(std::span<const DepthInstant> instants, double rank) {
   const DepthImage& first = instants[0].depth_mm;
   DepthImage background(first.width(), first.height());
   std::vector<std::uint16_t> readings;
@@ -87,17 +78,30 @@ MaskImage without_edges(const MaskImage& mask, int min_neighbours) {
 
 }  // namespace
 
+DepthImage depth_in_blocks(const DepthImage& picture_mm) {
+  DepthImage blocks(picture_mm.width() / kInstantBlock, picture_mm.height() / kInstantBlock);
+  for (int y = 0; y < blocks.height(); ++y) {
+    for (int x = 0; x < blocks.width(); ++x)
+      blocks.at(x, y) = block_median(picture_mm, kInstantBlock * x, kInstantBlock * y);
+  }
+  return blocks;
+}
+
+void mark_moving(std::span<DepthInstant> instants, const DepthInstantOptions& options) {
+  if (instants.empty()) return;
+  const DepthImage background_mm = background_of(instants, options.background_rank);
+  for (DepthInstant& instant : instants)
+    instant.moving =
+        without_edges(before(instant.depth_mm, background_mm, options), options.min_neighbours);
+}
+
 std::vector<DepthInstant> depth_instants(std::span<const DepthImage> pictures_mm,
                                          std::span<const double> times_s,
                                          const DepthInstantOptions& options) {
   std::vector<DepthInstant> instants;
   for (std::size_t i = 0; i < pictures_mm.size(); ++i)
-    instants.push_back({times_s[i], in_blocks(pictures_mm[i]), {}});
-  if (instants.empty()) return instants;
-  const DepthImage background_mm = background_of(instants, options.background_rank);
-  for (DepthInstant& instant : instants)
-    instant.moving =
-        without_edges(before(instant.depth_mm, background_mm, options), options.min_neighbours);
+    instants.push_back({times_s[i], depth_in_blocks(pictures_mm[i]), {}});
+  mark_moving(instants, options);
   return instants;
 }
 

@@ -39,6 +39,12 @@ struct DepthInstantOptions {
   [[nodiscard]] Status check() const { return check_fields("DepthInstantOptions", *this); }
 };
 
+/// Medians of the picture's blocks; 0 where less than half of a block has readings.
+[[nodiscard]] DepthImage depth_in_blocks(const DepthImage& picture_mm);
+
+/// Sets `moving` of all instants by their depth, which is of one size.
+void mark_moving(std::span<DepthInstant> instants, const DepthInstantOptions& options = {});
+
 /// One for each picture, in order. `times_s` has as many elements; the pictures are of one size.
 [[nodiscard]] std::vector<DepthInstant> depth_instants(std::span<const DepthImage> pictures_mm,
                                                        std::span<const double> times_s,

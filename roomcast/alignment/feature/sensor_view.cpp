@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/alignment/feature/sensor_view.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "roomcast/alignment/feature/picture_features.h"
+#include "roomcast/core/depth_factor.h"
 
 namespace roomcast::alignment {
 namespace {
@@ -27,15 +25,6 @@ Image<Eigen::Vector2f> block_rays(const CameraIntrinsics& camera) {
           rays.at(kInstantBlock * x + kInstantBlock / 2, kInstantBlock * y + kInstantBlock / 2);
   }
   return of_blocks;
-}
-
-void multiply(DepthImage& depth_mm, double factor) {
-  for (int y = 0; y < depth_mm.height(); ++y) {
-    for (int x = 0; x < depth_mm.width(); ++x) {
-      const double scaled = std::round(factor * depth_mm.at(x, y));
-      depth_mm.at(x, y) = static_cast<std::uint16_t>(std::clamp(scaled, 0.0, 65535.0));
-    }
-  }
 }
 
 }  // namespace
@@ -88,8 +77,8 @@ Result<SensorView> with_depth_scale(const SensorView& view, double factor) {
   }
   CalibrationBundle bundle = *view.bundle;
   bundle.name = view.name;  // a view may have been given another name than its bundle's
-  multiply(bundle.depth_mm, factor);
-  for (DepthInstant& instant : bundle.instants) multiply(instant.depth_mm, factor);
+  multiply_depth(bundle.depth_mm.view(), factor);
+  for (DepthInstant& instant : bundle.instants) multiply_depth(instant.depth_mm.view(), factor);
   return make_sensor_view(bundle, view.options);
 }
 

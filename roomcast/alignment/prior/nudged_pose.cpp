@@ -84,6 +84,8 @@ Result<NudgedPose> refined_prior(const PairCandidates& pair, const RigidTransfor
   }
   if (contradicts == Contradiction::kColors)
     return unavailable("the surfaces fit there, but the colours do not");
+  if (contradicts == Contradiction::kMovement)
+    return unavailable("what moves would not be where " + pair.a().name + " sees it");
   if (ends.size() > 1 && best.score - ends[1].score < options.min_lead)
     return unavailable(
         "two poses near the guess fit equally well; bring it nearer to the right one");

@@ -30,6 +30,7 @@ PairCandidates candidates_of(const SensorView& a, const SensorView& b, const Pai
 }
 
 Contradiction contradiction(const PoseEvidence& evidence, const PriorEvidenceOptions& options) {
+  if (evidence.moving_agreement < -options.moving_disagrees) return Contradiction::kMovement;
   if (has_free_space_conflict(evidence.space, options) ||
       evidence.space.min_consistent < options.min_overlap) {
     return Contradiction::kShapes;

@@ -18,6 +18,7 @@ struct PriorEvidenceOptions {
   double max_conflict = 0.08;     // more contradicts; edges a little misplaced make less
   double min_correlation = 0.35;  // of colours; less contradicts
   double textured = 0.004;        // of a view; with less, colours are no evidence
+  double moving_disagrees = 0.8;  // of 1: agreement of what moves below minus this contradicts
   double perhaps_overlap = 0.02;  // at the prior: enough to compare the two
 
   template <class Visit>
@@ -26,6 +27,7 @@ struct PriorEvidenceOptions {
     visit("max_conflict", max_conflict, Range{0, 1});
     visit("min_correlation", min_correlation, Range{-1, 1});
     visit("textured", textured, Range{0, 1});
+    visit("moving_disagrees", moving_disagrees, Range{0, 1});
     visit("perhaps_overlap", perhaps_overlap, Range{0, 1});
   }
   [[nodiscard]] Status check() const { return check_fields("PriorEvidenceOptions", *this); }
@@ -51,7 +53,7 @@ struct PlacedView {
 
 /// The evidence against a pose. A pose with a prior needs less support than one without, but
 /// nothing may contradict it.
-enum class Contradiction { kNone, kShapes, kColors };
+enum class Contradiction { kNone, kShapes, kColors, kMovement };
 [[nodiscard]] Contradiction contradiction(const PoseEvidence& evidence,
                                           const PriorEvidenceOptions& options = {});
 

@@ -7,8 +7,9 @@ StoredPoseCheck stored_pose_check(const PairCandidates& pair, const RigidTransfo
                                   const RigidTransform& world_from_b,
                                   const StoredPoseOptions& options, const NudgeOptions& nudge) {
   const PoseEvidence evidence = pair.examine(world_from_a.inverse() * world_from_b);
-  if (evidence.space.consistent + evidence.space.violating < options.min_seen) return {};
   const Contradiction against = contradiction(evidence, nudge.evidence);
+  if (against == Contradiction::kMovement) return {StoredPoseVerdict::kContradicted, against, 0};
+  if (evidence.space.consistent + evidence.space.violating < options.min_seen) return {};
   if (against == Contradiction::kColors || has_free_space_conflict(evidence.space, nudge.evidence))
     return {StoredPoseVerdict::kContradicted, against, 0};
   if (against != Contradiction::kNone) return {};  // too little evidence

@@ -51,6 +51,7 @@ struct AlignmentReport {
   std::vector<SensorReport> sensors;  // in the order given
   std::vector<PairReport> pairs;
   bool has_floor = false;
+  double uncalibrated_belief = 0;  // 0..1: that placed sensors are not calibrated (ADR 18)
 };
 
 }  // namespace roomcast::alignment

@@ -320,6 +320,11 @@ AlignmentReport place_rig(std::span<const SensorView* const> views, std::span<co
   for (std::size_t i = 0; i < views.size(); ++i)
     report.sensors.push_back(report_of(i, views[i]->name, answer, world, report.pairs,
                                        options.placing.pointing_sigma_rad));
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (answer.placed[i])
+      report.uncalibrated_belief =
+          std::max(report.uncalibrated_belief, answer.refined[i].uncalibrated_belief);
+  }
   return report;
 }
 

@@ -35,6 +35,9 @@ class RigAligner {
                       DepthScaling scaling = DepthScaling::kAsCalibrated)
       : options_(options), scaling_(scaling) {}
 
+  /// For the next solve().
+  void set_scaling(DepthScaling scaling) { scaling_ = scaling; }
+
   /// Replaces an earlier sensor of the same name.
   void add(std::shared_ptr<const SensorView> view);
   void remove(const std::string& name);

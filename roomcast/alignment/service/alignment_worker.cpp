@@ -45,6 +45,7 @@ void AlignmentWorker::forget(const std::string& sensor) {
   change_news([&](News& news) {
     news.bundles.erase(sensor);
     news.sightings.erase(sensor);
+    news.instants.erase(sensor);
     news.nudges.erase(sensor);
     news.moved.insert(sensor);
   });
@@ -54,6 +55,16 @@ void AlignmentWorker::see(const std::string& sensor, const wire::pb::Sightings& 
   change_news([&](News& news) {
     auto& seen = news.sightings[sensor];
     if (seen.heads_size() + seen.tags_size() < kMaxSightings) seen.MergeFrom(sightings);
+  });
+}
+
+void AlignmentWorker::see(const std::string& sensor, const SensorCalibration& calibration,
+                          wire::pb::DepthInstant instant) {
+  change_news([&](News& news) {
+    Instants& seen = news.instants[sensor];
+    seen.calibration = calibration;
+    if (seen.messages.size() < InstantStore::kMaxInstants)
+      seen.messages.push_back(std::move(instant));
   });
 }
 
@@ -73,7 +84,11 @@ void AlignmentWorker::run(const std::stop_token& stop) {
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);
   while (auto news = wait_for_news(stop)) {
     take(*news);
-    AlignmentUpdate update{solver_.solve(news->known), solver_.wants_sightings()};
+    if (news->has_instants_only() && !solver_.has_new_instants()) continue;
+    AlignmentUpdate update{solver_.solve(news->known), {}};
+    update.wanted.set_heads(solver_.wants_sightings());
+    update.wanted.set_tags(solver_.wants_sightings());
+    update.wanted.set_instants(solver_.wants_instants());
     for (auto& placement : update.placements)
       placement.bundle_number = bundle_numbers_[placement.sensor];
     if (!stop.stop_requested()) on_update_(std::move(update));
@@ -91,6 +106,7 @@ std::optional<AlignmentWorker::News> AlignmentWorker::wait_for_news(const std::s
   news_.moved.clear();
   news_.bundles.clear();
   news_.sightings.clear();
+  news_.instants.clear();
   news_.nudges.clear();
   return news;
 }
@@ -99,6 +115,7 @@ void AlignmentWorker::take(const News& news) {
   for (const auto& sensor : news.moved) solver_.forget(sensor);
   for (const auto& [sensor, bundle] : news.bundles) take_bundle(sensor, bundle);
   for (const auto& [sensor, sightings] : news.sightings) solver_.see(sensor, sightings);
+  for (const auto& [sensor, instants] : news.instants) take_instants(sensor, instants);
   for (const auto& [sensor, guess] : news.nudges) solver_.nudge(sensor, guess);
 }
 
@@ -107,6 +124,14 @@ void AlignmentWorker::take_bundle(const std::string& sensor, const Bundle& bundl
   const auto read = bundle_from_message(bundle.message, sensor, bundle.calibration);
   if (!read) return solver_.refuse(sensor, read.error().message);
   solver_.add(*read);
+}
+
+void AlignmentWorker::take_instants(const std::string& sensor, const Instants& instants) {
+  for (const wire::pb::DepthInstant& message : instants.messages) {
+    auto instant = instant_from_message(message, instants.calibration.depth);
+    const bool is_scaled = message.depth_scale() != 0;
+    if (instant && is_scaled) solver_.see(sensor, *std::move(instant), message.depth_scale());
+  }
 }
 
 }  // namespace roomcast::alignment

@@ -23,7 +23,7 @@ namespace roomcast::alignment {
 
 struct AlignmentUpdate {
   std::vector<Placement> placements;
-  bool wants_sightings = false;
+  wire::pb::SightingRequest wanted;
 };
 
 class AlignmentWorker {
@@ -37,6 +37,8 @@ class AlignmentWorker {
   /// Discards all data of the sensor, because it was moved.
   void forget(const std::string& sensor);
   void see(const std::string& sensor, const wire::pb::Sightings& sightings);
+  void see(const std::string& sensor, const SensorCalibration& calibration,
+           wire::pb::DepthInstant instant);
   void nudge(const std::string& sensor, const RigidTransform& world_from_depth);
   /// The state of the roster. `has_unplaced`: a connected sensor has no pose.
   void set_known(KnownRoom known, bool has_unplaced);
@@ -46,11 +48,16 @@ class AlignmentWorker {
     SensorCalibration calibration;
     wire::pb::CalibrationBundle message;
   };
+  struct Instants {
+    SensorCalibration calibration;
+    std::vector<wire::pb::DepthInstant> messages;
+  };
   /// Input since the last solve.
   struct News {
     std::set<std::string> moved;  // sensors to forget before the rest is applied
     std::map<std::string, Bundle> bundles;
     std::map<std::string, wire::pb::Sightings> sightings;
+    std::map<std::string, Instants> instants;
     KnownPoses nudges;
     KnownRoom known;
     bool has_unplaced = false;
@@ -58,7 +65,12 @@ class AlignmentWorker {
     [[nodiscard]] bool is_urgent() const {
       return (!bundles.empty() && has_unplaced) || !nudges.empty();
     }
-    [[nodiscard]] bool should_run() const { return is_urgent() || !sightings.empty(); }
+    [[nodiscard]] bool should_run() const {
+      return is_urgent() || !sightings.empty() || !instants.empty();
+    }
+    [[nodiscard]] bool has_instants_only() const {
+      return !is_urgent() && sightings.empty() && moved.empty() && bundles.empty();
+    }
   };
 
   template <class Change>
@@ -67,6 +79,7 @@ class AlignmentWorker {
   [[nodiscard]] std::optional<News> wait_for_news(const std::stop_token& stop);
   void take(const News& news);
   void take_bundle(const std::string& sensor, const Bundle& bundle);
+  void take_instants(const std::string& sensor, const Instants& instants);
 
   const std::function<void(AlignmentUpdate)> on_update_;
   PlacementSolver solver_;  // this and the following: used by the thread only

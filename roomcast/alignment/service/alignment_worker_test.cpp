@@ -46,7 +46,7 @@ TEST_F(AlignmentWorkerTest, bundles_that_come_together_are_one_update_with_their
   EXPECT_TRUE(find(*update, "right")->pose.is_placed());
   EXPECT_EQ(find(*update, "left")->bundle_number, 4U);
   EXPECT_EQ(find(*update, "right")->bundle_number, 7U);
-  EXPECT_FALSE(update->wants_sightings);
+  EXPECT_FALSE(update->wanted.heads());
 }
 
 TEST_F(AlignmentWorkerTest, a_guess_is_answered_though_nobody_is_lost) {

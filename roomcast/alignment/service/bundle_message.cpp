@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "roomcast/codec/frame_codec.h"
+#include "roomcast/alignment/service/picture_bytes.h"
 #include "roomcast/io/jpeg_codec.h"
 
 namespace roomcast::alignment {
@@ -13,36 +13,6 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr int kJpegQuality = 90;  // high enough for feature detection
-
-std::string text_of(const std::vector<std::uint8_t>& bytes) {
-  return {bytes.begin(), bytes.end()};
-}
-
-std::span<const std::uint8_t> bytes_of(const std::string& text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
-Result<std::string> encode_lossless(DepthView picture) {
-  codec::FrameEncoderOptions options;
-  options.width = picture.width;
-  options.height = picture.height;
-  options.temporal_layers = 1;
-  options.depth_mode = codec::DepthMode::kLossless;
-  const auto encoder = codec::FrameEncoder::create(options);
-  if (!encoder) return encoder.error();
-  std::vector<std::uint8_t> bytes;
-  const auto encoded = (*encoder)->encode(picture, {}, {}, true, bytes);
-  if (!encoded) return encoded.error();
-  return text_of(bytes);
-}
-
-Result<DepthImage> decode_lossless(const std::string& bytes, int width, int height) {
-  const auto decoder = codec::FrameDecoder::create(width, height);
-  if (!decoder) return decoder.error();
-  codec::DecodedFrame frame;
-  if (auto status = (*decoder)->decode(bytes_of(bytes), frame); !status) return status.error();
-  return std::move(frame.depth_mm);
-}
 
 /// A mask as a picture that the depth codec takes: 0 and 1.
 DepthImage zeros_and_ones(const MaskImage& mask) {
@@ -67,11 +37,11 @@ Result<wire::pb::CalibrationBundle> message_from_bundle(
     const alignment::CalibrationBundle& bundle) {
   if (auto status = alignment::check(bundle); !status) return status.error();
   wire::pb::CalibrationBundle message;
-  auto depth = encode_lossless(bundle.depth_mm);
+  auto depth = lossless_bytes(bundle.depth_mm);
   if (!depth) return depth.error();
   message.set_depth(*std::move(depth));
   if (!bundle.moving.empty()) {
-    auto moving = encode_lossless(zeros_and_ones(bundle.moving));
+    auto moving = lossless_bytes(zeros_and_ones(bundle.moving));
     if (!moving) return moving.error();
     message.set_moving(*std::move(moving));
   }
@@ -79,7 +49,8 @@ Result<wire::pb::CalibrationBundle> message_from_bundle(
   if (auto fault = io::JpegCodec().encode(bundle.color, kJpegQuality, jpeg); !fault.empty()) {
     return Error{ErrorCode::kInvalidArgument, fault};
   }
-  message.set_color_jpeg(text_of(jpeg));
+  message.set_color_jpeg(std::string(jpeg.begin(), jpeg.end()));
+  if (bundle.depth_scale) message.set_depth_scale(*bundle.depth_scale);
   if (bundle.up) {
     for (const double number : *bundle.up) message.add_up(number);
   }
@@ -93,17 +64,18 @@ Result<alignment::CalibrationBundle> bundle_from_message(const wire::pb::Calibra
   bundle.name = std::move(name);
   bundle.calibration = calibration;
   const int width = calibration.depth.width, height = calibration.depth.height;
-  auto depth = decode_lossless(message.depth(), width, height);
+  auto depth = picture_of_bytes(message.depth(), width, height);
   if (!depth) return depth.error();
   bundle.depth_mm = *std::move(depth);
   if (!message.moving().empty()) {
-    const auto moving = decode_lossless(message.moving(), width, height);
+    const auto moving = picture_of_bytes(message.moving(), width, height);
     if (!moving) return moving.error();
     bundle.moving = mask_of(*moving);
   }
   bundle.color.resize(calibration.color.width, calibration.color.height);
   const auto fault = io::JpegCodec().decode(bytes_of(message.color_jpeg()), bundle.color.view());
   if (!fault.empty()) return Error{ErrorCode::kMalformed, "a bundle's colour picture: " + fault};
+  if (message.depth_scale() != 0) bundle.depth_scale = message.depth_scale();
   if (message.up_size() == 3) bundle.up.emplace(message.up(0), message.up(1), message.up(2));
   return bundle;
 }

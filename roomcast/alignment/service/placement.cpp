@@ -23,7 +23,8 @@ Placement placed_at(const std::string& sensor, const RigidTransform& world_from_
           .pose = {.world_from_depth = world_from_depth,
                    .source = PoseSource::kEstimated,
                    .state = PoseState::kValid,
-                   .expected_error_mm = expected_error_mm}};
+                   .expected_error_mm = expected_error_mm,
+                   .depth_scale = kOfBundle}};
 }
 
 Placement not_placed(const std::string& sensor, const std::string& reason) {

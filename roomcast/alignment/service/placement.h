@@ -15,6 +15,9 @@
 
 namespace roomcast::alignment {
 
+/// A pose's depth scale: the factor that the sensor has applied to the readings of its bundle.
+inline constexpr double kOfBundle = 0;
+
 struct Placement {
   std::string sensor;
   SensorPose pose;                  // estimated; or none, and its note says why
@@ -22,6 +25,7 @@ struct Placement {
   bool withdrawn = false;           // its earlier estimated pose is invalid, too
 };
 
+/// With the bundle's depth scale.
 [[nodiscard]] Placement placed_at(const std::string& sensor, const RigidTransform& world_from_depth,
                                   double expected_error_mm);
 [[nodiscard]] Placement not_placed(const std::string& sensor, const std::string& reason);

@@ -55,12 +55,31 @@ std::vector<Placement> with_verified(std::vector<Placement> placements,
 }  // namespace
 
 void PlacementSolver::add(const alignment::CalibrationBundle& bundle) {
+  const auto before = bundles_.find(bundle.name);
+  const bool is_rescaled = before != bundles_.end() && bundle.depth_scale &&
+                           before->second.depth_scale != bundle.depth_scale;
+  if (is_rescaled) {
+    walks_.forget(bundle.name);
+    boards_.forget(bundle.name);
+  } else {
+    forget(bundle.name);  // it may have been moved
+  }
+  set_view(bundle);
+}
+
+void PlacementSolver::set_view(alignment::CalibrationBundle bundle) {
+  bundle.instants.clear();
+  if (used_moments_ > 0)
+    bundle.instants = instants_.of(bundle.name, bundle.depth_scale.value_or(1));
   auto view = alignment::make_sensor_view(bundle);
   if (!view) return refuse(bundle.name, view.error().message);
-  forget(bundle.name);
+  pose_checks_.clear();
+  report_.reset();
+  refused_.erase(bundle.name);
   walks_.set_floor(bundle.name, view->floor);
   views_[bundle.name] = std::make_shared<const alignment::SensorView>(*std::move(view));
   aligner_.add(views_[bundle.name]);
+  bundles_[bundle.name] = std::move(bundle);
 }
 
 void PlacementSolver::refuse(const std::string& sensor, const std::string& reason) {
@@ -73,11 +92,14 @@ void PlacementSolver::forget(const std::string& sensor) {
   pose_checks_.clear();
   report_.reset();
   views_.erase(sensor);
+  bundles_.erase(sensor);
   refused_.erase(sensor);
   walks_.forget(sensor);
   boards_.forget(sensor);
   pending_priors_.erase(sensor);
   accepted_priors_.erase(sensor);
+  instants_.forget(sensor);
+  used_moments_ = 0;
 }
 
 void PlacementSolver::see(const std::string& sensor, const wire::pb::Sightings& sightings) {
@@ -91,7 +113,15 @@ void PlacementSolver::nudge(const std::string& sensor, const RigidTransform& wor
 
 /// A single stored pose defines the world only if overlap places nobody without it.
 std::vector<Placement> PlacementSolver::solve(const KnownRoom& roster) {
-  if (!report_) report_ = aligner_.solve();
+  take_instants();
+  if (!report_) {
+    const bool all_take_scales = std::ranges::all_of(
+        bundles_, [](const auto& bundle) { return bundle.second.depth_scale.has_value(); });
+    aligner_.set_scaling(all_take_scales ? DepthScaling::kEstimated : DepthScaling::kAsCalibrated);
+    report_ = aligner_.solve();
+    for (alignment::SensorReport& sensor : report_->sensors)
+      sensor.depth_scale *= bundles_.at(sensor.id).depth_scale.value_or(1);
+  }
   Solution solution =
       verify_stored(place_by_overlap(start(roster), roster, LoneStoredPose::kDoubted));
   if (!solution.is_anybody_placed()) {
@@ -99,8 +129,10 @@ std::vector<Placement> PlacementSolver::solve(const KnownRoom& roster) {
     solution = verify_stored(place_by_overlap(std::move(solution), room, LoneStoredPose::kTrusted));
   }
   solution.placements = with_verified(std::move(solution.placements), solution.verified);
+  solution = withdraw_what_motion_contradicts(std::move(solution), roster);
   solution = answer_priors(std::move(solution), roster);
   solution = place_by_sightings(std::move(solution), roster);
+  set_depth_scales(solution);
   unplaced_ = solution.unplaced();
   return std::move(solution.placements);
 }
@@ -151,6 +183,16 @@ PlacementSolver::Solution PlacementSolver::place_by_overlap(Solution solution,
   }
   for (const auto& [sensor, pose] : given_poses(room)) solution.valid[sensor] = pose;
   return solution;
+}
+
+/// Of poses that do not come from the comparison of all sensors: the bundles' own.
+void PlacementSolver::set_depth_scales(Solution& solution) const {
+  for (Placement& placement : solution.placements) {
+    const auto bundle = bundles_.find(placement.sensor);
+    if (placement.pose.depth_scale == kOfBundle)
+      placement.pose.depth_scale =
+          bundle == bundles_.end() ? 1 : bundle->second.depth_scale.value_or(1);
+  }
 }
 
 /// Verifies the stored poses of sensors that have sent a bundle.

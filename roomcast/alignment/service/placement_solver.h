@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // PlacementSolver: estimates the poses of the sensors of a running room from all data so far:
-// bundles, and for sensors with too little overlap, sightings of a walking person, sightings of a
-// board, and priors that people supply (nudges). The world frame stays fixed (room_world.h).
+// bundles, instants in which something moves, and for sensors with too little overlap, sightings of
+// a walking person, sightings of a board, and priors that people supply (nudges). The world frame
+// stays fixed (room_world.h).
 // Deterministic. Single-threaded.
 #pragma once
 
@@ -17,6 +18,7 @@
 #include "roomcast/alignment/prior/prior_evidence.h"
 #include "roomcast/alignment/rig/rig_aligner.h"
 #include "roomcast/alignment/service/board_placer.h"
+#include "roomcast/alignment/service/instant_store.h"
 #include "roomcast/alignment/service/person_placer.h"
 #include "roomcast/alignment/service/placement.h"
 #include "roomcast/alignment/service/pose_verification.h"
@@ -37,6 +39,8 @@ class PlacementSolver {
 
   /// Adds sightings of a sensor.
   void see(const std::string& sensor, const wire::pb::Sightings& sightings);
+  /// Adds what a sensor saw at an instant, with readings multiplied by `depth_scale`.
+  void see(const std::string& sensor, DepthInstant instant, double depth_scale);
   /// Adds a person's prior for a pose; the next solve() answers it.
   void nudge(const std::string& sensor, const RigidTransform& world_from_depth);
 
@@ -48,6 +52,10 @@ class PlacementSolver {
 
   /// After the last solve(): some sensors have no pose and could be placed by sightings.
   [[nodiscard]] bool wants_sightings() const { return !unplaced_.empty() && views_.size() > 1; }
+  /// After the last solve(): instants could place a sensor, or tell how calibrated sensors are.
+  [[nodiscard]] bool wants_instants() const;
+  /// Whether enough instants were seen since the last solve() to compare all sensors again.
+  [[nodiscard]] bool has_new_instants();
 
  private:
   /// What the steps of one solve() have found so far. Each step takes one and returns the next.
@@ -71,6 +79,16 @@ class PlacementSolver {
     alignment::StoredPoseCheck result;
   };
 
+  /// Derives the sensor's view from its bundle, and from its instants if they are used.
+  void set_view(alignment::CalibrationBundle bundle);
+  /// Compares all sensors again, also by what moves, if enough has moved.
+  void take_instants();
+  /// Sets the factors on readings that poses assume.
+  void set_depth_scales(Solution& solution) const;
+  [[nodiscard]] Solution withdraw_what_motion_contradicts(Solution solution,
+                                                          const KnownRoom& roster) const;
+  [[nodiscard]] bool is_refuted_by_motion(const NamedPose& a, const NamedPose& b) const;
+
   [[nodiscard]] Solution start(const KnownRoom& roster) const;
   [[nodiscard]] Solution place_by_overlap(Solution solution, const KnownRoom& room,
                                           LoneStoredPose lone);
@@ -93,6 +111,9 @@ class PlacementSolver {
   alignment::RigAligner aligner_;
   std::optional<alignment::AlignmentReport> report_;  // valid until a bundle is added or removed
   std::map<std::string, std::shared_ptr<const alignment::SensorView>> views_;
+  std::map<std::string, alignment::CalibrationBundle> bundles_;  // of the views
+  InstantStore instants_;
+  std::size_t used_moments_ = 0;                // with shared motion, in the views
   std::map<std::string, std::string> refused_;  // reasons
   std::set<std::string> unplaced_;              // by the last solve()
   std::map<std::pair<std::string, std::string>, CachedPoseCheck> pose_checks_;

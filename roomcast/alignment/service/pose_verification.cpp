@@ -9,6 +9,14 @@ namespace {
 
 using alignment::StoredPoseVerdict;
 
+std::string what_disagrees(alignment::Contradiction contradiction, const std::string& other) {
+  if (contradiction == alignment::Contradiction::kMovement)
+    return "what moves is not where " + other + " sees it";
+  const bool by_colors = contradiction == alignment::Contradiction::kColors;
+  return std::string("its ") + (by_colors ? "colours" : "surfaces") + " do not fit those of " +
+         other;
+}
+
 class StoredPoseVerifier {
  public:
   StoredPoseVerifier(const KnownPoses& stored, KnownPoses known, const PosePairCheck& check_pair)
@@ -88,12 +96,10 @@ class StoredPoseVerifier {
   }
 
   void contradict(std::string sensor, const Verdict& verdict) {
-    const bool by_colors = verdict.contradiction == alignment::Contradiction::kColors;
     Placement& placement = checks_.contradicted[sensor];
-    placement =
-        not_placed(sensor, std::string("It was moved while it was away: its ") +
-                               (by_colors ? "colours" : "surfaces") + " do not fit those of " +
-                               verdict.by + " at its stored pose.");
+    placement = not_placed(sensor, "It was moved while it was away: " +
+                                       what_disagrees(verdict.contradiction, verdict.by) +
+                                       " at its stored pose.");
     placement.withdrawn = true;
     checks_.inconclusive.erase(sensor);
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <boost/asio/post.hpp>
+#include <google/protobuf/util/message_differencer.h>
 
 #include "roomcast/alignment/service/alignment_worker.h"
 #include "roomcast/client/hub_link.h"
@@ -44,11 +45,12 @@ class RoomAligner::Link final : public client::HubLinkEvents {
     network_.finish([this] { link_.stop(); });
   }
 
-  void on_welcome(const pb::Welcome&) override { asked_for_sightings_ = false; }
+  void on_welcome(const pb::Welcome&) override { asked_for_.Clear(); }
   void on_control(const pb::Control& message) override {
     if (message.has_roster()) take_roster(message.roster());
     if (message.has_calibration_bundle()) take_bundle(message.calibration_bundle());
     if (message.has_sightings()) take_sightings(message.sightings());
+    if (message.has_depth_instant()) take_instant(message.depth_instant());
     if (message.has_nudge()) take_nudge(message.nudge());
   }
   void on_frame(net::MessageBuffer) override {}  // a hub sends no frames to an aligner
@@ -101,6 +103,12 @@ class RoomAligner::Link final : public client::HubLinkEvents {
     if (sensor != sensors_.end()) alignment_worker_.see(sensor->second.name, sightings);
   }
 
+  void take_instant(const pb::DepthInstant& instant) {
+    const auto sensor = sensors_.find(instant.sensor_id());
+    if (sensor != sensors_.end())
+      alignment_worker_.see(sensor->second.name, sensor->second.calibration, instant);
+  }
+
   void take_nudge(const pb::Nudge& nudge) {
     const auto sensor = sensors_.find(nudge.sensor_id());
     const auto pose = wire::read_transform(nudge.world_from_depth());
@@ -111,16 +119,15 @@ class RoomAligner::Link final : public client::HubLinkEvents {
   void publish(AlignmentUpdate update) {
     boost::asio::post(network_.io(), [this, update = std::move(update)] {
       send(update.placements);
-      ask_for_sightings(update.wants_sightings);
+      ask_for_sightings(update.wanted);
     });
   }
 
-  void ask_for_sightings(bool wanted) {
-    if (wanted == asked_for_sightings_) return;
-    asked_for_sightings_ = wanted;
+  void ask_for_sightings(const pb::SightingRequest& wanted) {
+    if (google::protobuf::util::MessageDifferencer::Equals(wanted, asked_for_)) return;
+    asked_for_ = wanted;
     pb::Control message;
-    message.mutable_sighting_request()->set_heads(wanted);
-    message.mutable_sighting_request()->set_tags(wanted);
+    *message.mutable_sighting_request() = wanted;
     link_.send(message);
   }
 
@@ -155,7 +162,7 @@ class RoomAligner::Link final : public client::HubLinkEvents {
   const RoomAlignerOptions options_;
   std::map<std::uint32_t, Sensor> sensors_;    // by id; this and the following: network thread only
   std::map<std::string, std::string> logged_;  // the last sentence by sensor
-  bool asked_for_sightings_ = false;
+  pb::SightingRequest asked_for_;
   client::NetworkThread network_;
   client::HubLink link_;
   AlignmentWorker alignment_worker_;  // declared last: destroyed before the rest

@@ -38,10 +38,19 @@ Anchor anchor_of(const alignment::AlignmentReport& report, const KnownPoses& kno
   return best;
 }
 
-/// Without an anchor no sensor gets a pose. `known`: a sensor keeps its pose there if the new one
-/// equals it within the expected error.
+/// Whether the room knows the sensor with the same factor on its readings.
+bool has_same_depth_scale(const alignment::SensorReport& sensor, const KnownRoom& room) {
+  constexpr double kRounding = 1e-9;
+  const auto known = room.find(sensor.id);
+  return known == room.end() ||
+         std::abs(known->second.pose.depth_scale - sensor.depth_scale) < kRounding;
+}
+
+/// Without an anchor no sensor gets a pose. `keep`: a sensor keeps its pose there if the new one
+/// equals it within the expected error and assumes the same depth.
 std::vector<Placement> placements_of(const alignment::AlignmentReport& report,
-                                     const std::optional<Anchor>& anchor, const KnownPoses& known) {
+                                     const std::optional<Anchor>& anchor, const KnownPoses& keep,
+                                     const KnownRoom& room) {
   std::vector<Placement> placements;
   for (const alignment::SensorReport& sensor : report.sensors) {
     if (!sensor.placed) {
@@ -50,11 +59,13 @@ std::vector<Placement> placements_of(const alignment::AlignmentReport& report,
       placements.push_back(not_placed(sensor.id, kNotConnected));
     } else {
       const RigidTransform now = anchor->now_from_report * *sensor.world_from_depth;
-      const auto before = known.find(sensor.id);
+      const auto before = keep.find(sensor.id);
       const double error_mm = std::hypot(sensor.expected_error_mm, anchor->expected_error_mm);
-      const bool keeps = before != known.end() && is_same_place(before->second, now, error_mm);
+      const bool keeps = before != keep.end() && has_same_depth_scale(sensor, room) &&
+                         is_same_place(before->second, now, error_mm);
       placements.push_back(
           placed_at(sensor.id, keeps ? before->second : now, sensor.expected_error_mm));
+      placements.back().pose.depth_scale = sensor.depth_scale;
     }
   }
   return placements;
@@ -95,7 +106,7 @@ std::vector<Placement> RoomWorld::place(const alignment::AlignmentReport& report
     for (const auto& [sensor, pose] : poses) keep[sensor] = pose;
   }
   auto placements =
-      placements_of(report, anchor_in(known, estimated, report, lone_stored_pose), keep);
+      placements_of(report, anchor_in(known, estimated, report, lone_stored_pose), keep, known);
   drop_lone_stored_pose(stored, placements);
   const bool is_provisional =
       given.empty() && stored.empty() && (estimated_poses(known).empty() || !provisional_.empty());

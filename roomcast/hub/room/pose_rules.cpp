@@ -59,6 +59,7 @@ bool take_estimate(const pb::SensorPlacement& found, SensorPose& pose) {
   }
   SensorPose now = wire::read_pose(found);
   if (!now.is_placed()) return false;
+  if (found.depth_scale() == 0) now.depth_scale = pose.depth_scale;
   if (is_the_same(now.world_from_depth, pose.world_from_depth))
     now.world_from_depth = pose.world_from_depth;
   pose = std::move(now);

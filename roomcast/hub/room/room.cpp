@@ -8,6 +8,7 @@
 #include "roomcast/hub/room/interference_advice.h"
 #include "roomcast/wire/limits.h"
 #include "roomcast/wire/pose_message.h"
+#include "roomcast/wire/sighting_request.h"
 
 namespace roomcast::hub {
 
@@ -42,13 +43,11 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
       if (sensor == nullptr) break;
       sensor->health = message.sensor_health();
       return out;
-    case pb::Control::kSightings: {
+    case pb::Control::kSightings:
+    case pb::Control::kDepthInstant:
       if (sensor == nullptr) break;
-      pb::Control passed = message;
-      passed.mutable_sightings()->set_sensor_id(sensor->id.value);
-      pass_to_aligners(std::move(passed), out);
+      pass_to_aligners(named(*sensor, message), out);
       return out;
-    }
     case pb::Control::kSightingRequest:
       if (std::ranges::find(aligners_, from) == aligners_.end()) break;
       ask_for_sightings(message.sighting_request(), out);
@@ -229,8 +228,7 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
     std::erase(aligners_, from);
     std::erase(backplane_aligners_, from);
     if (forget_people(remote_presence_.forget(from))) send_roster_when_due(now, out);
-    if (aligners_.empty() && (wanted_sightings_.heads() || wanted_sightings_.tags()))
-      ask_for_sightings({}, out);
+    if (aligners_.empty() && wire::wants_any(wanted_sightings_)) ask_for_sightings({}, out);
   }
   update_demand(now, out);
   return out;

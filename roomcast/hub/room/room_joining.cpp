@@ -12,6 +12,7 @@
 #include "roomcast/hub/room/room.h"
 #include "roomcast/wire/limits.h"
 #include "roomcast/wire/pose_message.h"
+#include "roomcast/wire/sighting_request.h"
 
 namespace roomcast::hub {
 namespace {
@@ -103,7 +104,9 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   out.emplace_back(RestartSensor{sensor->id});
   if (!demand_.wanted() && !sensor->is_at_other_hub)
     out.push_back(SendControl{{from}, demand_message()});
-  if (wanted_sightings_.heads() || wanted_sightings_.tags()) {
+  sensor->told_depth_scale = 1;
+  tell_depth_scale(*sensor, out);
+  if (wire::wants_any(wanted_sightings_)) {
     pb::Control request;
     *request.mutable_sighting_request() = wanted_sightings_;
     out.push_back(SendControl{{from}, std::move(request)});

@@ -42,6 +42,13 @@ void Room::ask_for_sightings(const pb::SightingRequest& request, RoomActions& ou
   if (!online.empty()) out.push_back(SendControl{std::move(online), std::move(message)});
 }
 
+/// What this sensor says, with its ID.
+pb::Control Room::named(const RoomSensor& sensor, pb::Control message) {
+  if (message.has_sightings()) message.mutable_sightings()->set_sensor_id(sensor.id.value);
+  if (message.has_depth_instant()) message.mutable_depth_instant()->set_sensor_id(sensor.id.value);
+  return message;
+}
+
 void Room::pass_to_aligners(pb::Control message, RoomActions& out) const {
   if (!aligners_.empty()) out.push_back(SendControl{aligners_, std::move(message)});
 }
@@ -54,6 +61,17 @@ void Room::lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out) {
   send_roster(now, out);
 }
 
+/// Tells a sensor of this hub the factor on its readings that its pose assumes. A sensor that joins
+/// applies none, or one of which it informs the aligner by its bundle.
+void Room::tell_depth_scale(RoomSensor& sensor, RoomActions& out) {
+  const double factor = sensor.pose.depth_scale;
+  if (!sensor.connection || sensor.is_at_other_hub || factor == sensor.told_depth_scale) return;
+  sensor.told_depth_scale = factor;
+  pb::Control message;
+  message.mutable_depth_scale()->set_factor(factor);
+  out.push_back(SendControl{{*sensor.connection}, std::move(message)});
+}
+
 void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomActions& out) {
   std::vector<KnownSensor> placed;
   for (const pb::SensorPlacement& found : placements.sensors()) {
@@ -61,6 +79,7 @@ void Room::take_placements(const pb::Placements& placements, RoomTime now, RoomA
     if (sensor == nullptr || found.bundle_number() < sensor->valid_from_bundle) continue;
     SensorPose& pose = sensor->pose;
     if (!take_estimate(found, pose)) continue;
+    tell_depth_scale(*sensor, out);
     if (pose.source != PoseSource::kStored && found.bundle_number() == sensor->bundles)
       sensor->verified_by = sensor->bundle_hash;
     placed.push_back(

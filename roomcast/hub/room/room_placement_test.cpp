@@ -173,6 +173,61 @@ TEST_F(RoomTest, what_sensors_catch_sight_of_aligners_are_told_under_their_own_i
   EXPECT_EQ(passed[0].message.sightings().sensor_id(), 1U);
 }
 
+TEST_F(RoomTest, what_a_sensor_saw_at_an_instant_aligners_are_told_under_its_own_id) {
+  enter(sensor_join("left", std::nullopt));
+  const auto right = enter(sensor_join("right", std::nullopt));
+  const auto aligner = enter(aligner_join());
+  pb::Control seen;
+  seen.mutable_depth_instant()->set_sensor_id(0);  // a forged ID
+  seen.mutable_depth_instant()->set_depth("depth");
+  const auto passed = messages(room.control(right, seen, at(2s)), pb::Control::kDepthInstant);
+  ASSERT_EQ(passed.size(), 1U);
+  EXPECT_THAT(passed[0].to, ElementsAre(aligner));
+  EXPECT_EQ(passed[0].message.depth_instant().sensor_id(), 1U);
+}
+
+pb::Control placement_with_scale(double depth_scale) {
+  pb::Control control;
+  auto& found = *control.mutable_placements()->add_sensors();
+  wire::write_transform(pose_at(5), *found.mutable_world_from_depth());
+  found.set_bundle_number(1);
+  found.set_depth_scale(depth_scale);
+  return control;
+}
+
+TEST_F(RoomTest, a_sensor_is_told_the_factor_on_its_readings_that_its_pose_assumes) {
+  const auto left = enter(sensor_join("left", std::nullopt));
+  const auto aligner = enter(aligner_join());
+  const auto told =
+      messages(room.control(aligner, placement_with_scale(1.04), at(1s)), pb::Control::kDepthScale);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_THAT(told[0].to, ElementsAre(left));
+  EXPECT_EQ(told[0].message.depth_scale().factor(), 1.04);
+  EXPECT_THAT(
+      messages(room.control(aligner, placement_with_scale(1.04), at(2s)), pb::Control::kDepthScale),
+      IsEmpty())
+      << "it knows";
+  EXPECT_THAT(
+      messages(room.control(aligner, placement_with_scale(0), at(3s)), pb::Control::kDepthScale),
+      IsEmpty())
+      << "an aligner that knows no factors changes none";
+
+  room.leave(left, at(4s));
+  const auto again = enter(sensor_join("left", std::nullopt), 5s);
+  const auto told_again = messages(actions, pb::Control::kDepthScale);
+  ASSERT_EQ(told_again.size(), 1U);
+  EXPECT_THAT(told_again[0].to, ElementsAre(again));
+}
+
+TEST_F(RoomTest, without_a_factor_a_sensor_is_told_none) {
+  enter(sensor_join("left", std::nullopt));
+  EXPECT_THAT(messages(actions, pb::Control::kDepthScale), IsEmpty());
+  const auto aligner = enter(aligner_join());
+  EXPECT_THAT(
+      messages(room.control(aligner, placement_with_scale(1), at(1s)), pb::Control::kDepthScale),
+      IsEmpty());
+}
+
 pb::Control nudge_message() {
   pb::Control control;
   wire::write_transform(pose_at(5), *control.mutable_nudge()->mutable_world_from_depth());

@@ -39,6 +39,9 @@ constexpr const char* kSteps[Database::kVersion] = {
     "  room TEXT NOT NULL, id INTEGER NOT NULL,"
     "  mark BLOB NOT NULL,"  // a Mark of control.proto
     "  PRIMARY KEY (room, id)) STRICT;",
+
+    // Factor on the camera's readings that the pose assumes.
+    "ALTER TABLE sensors ADD COLUMN depth_scale REAL NOT NULL DEFAULT 1;",
 };
 
 /// Names of rooms and of people are nobody else's business. SQLite gives its other files (WAL,

@@ -23,7 +23,7 @@ namespace roomcast::hub {
 
 class Database {
  public:
-  static constexpr int kVersion = 4;
+  static constexpr int kVersion = 5;
 
   /// Creates the file if it does not exist; `file` empty: in memory. kUnavailable: the file cannot
   /// be opened, is no database, or has a newer version; the sentence says which.

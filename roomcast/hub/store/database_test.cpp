@@ -67,6 +67,9 @@ TEST(Database, migrates_a_file_of_the_first_version) {
 TEST(Database, migrates_the_issue_time_of_version_two_codes) {
   const TemporaryFolder folder;
   run_raw(folder / "hub.sqlite",
+          "CREATE TABLE sensors (room TEXT NOT NULL, name TEXT NOT NULL, id INTEGER NOT NULL,"
+          "  world_from_depth BLOB, expected_error_mm REAL,"
+          "  PRIMARY KEY (room, name), UNIQUE (room, id)) STRICT;"
           "CREATE TABLE codes (digest BLOB PRIMARY KEY,"
           "  room TEXT NOT NULL, role TEXT NOT NULL, name TEXT NOT NULL,"
           "  token_ttl_s INTEGER NOT NULL, expires_at INTEGER NOT NULL, used_at INTEGER) STRICT;"

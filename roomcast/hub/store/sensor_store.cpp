@@ -16,8 +16,9 @@ namespace roomcast::hub {
 namespace {
 
 constexpr char kLoad[] =
-    "SELECT name, id, world_from_depth, expected_error_mm FROM sensors WHERE room = ?1 ORDER BY id";
-constexpr char kSave[] = "INSERT OR REPLACE INTO sensors VALUES (?1, ?2, ?3, ?4, ?5)";
+    "SELECT name, id, world_from_depth, expected_error_mm, depth_scale "
+    "FROM sensors WHERE room = ?1 ORDER BY id";
+constexpr char kSave[] = "INSERT OR REPLACE INTO sensors VALUES (?1, ?2, ?3, ?4, ?5, ?6)";
 constexpr char kForget[] = "DELETE FROM sensors WHERE room = ?1";
 constexpr char kForgetOne[] = "DELETE FROM sensors WHERE room = ?1 AND name = ?2";
 
@@ -27,14 +28,17 @@ std::optional<SensorPose> read_pose(const Statement& row, int column) {
   if (bytes.size() != sizeof(row_major)) return std::nullopt;
   std::memcpy(row_major.data(), bytes.data(), bytes.size());
   const auto expected_error_mm = static_cast<float>(row.real(column + 1));
+  const double depth_scale = row.real(column + 2);
   const bool makes_sense =
       std::ranges::all_of(row_major, [](double x) { return std::isfinite(x); }) &&
-      expected_error_mm >= 0;
+      expected_error_mm >= 0 && depth_scale >= wire::kMinDepthScale &&
+      depth_scale <= wire::kMaxDepthScale;
   if (!makes_sense) return std::nullopt;
   return SensorPose{.world_from_depth = exact_transform_from_row_major(row_major),
                     .source = PoseSource::kStored,
                     .state = PoseState::kUnverified,
-                    .expected_error_mm = expected_error_mm};
+                    .expected_error_mm = expected_error_mm,
+                    .depth_scale = depth_scale};
 }
 
 std::optional<KnownSensor> read_sensor(const Statement& row) {
@@ -66,6 +70,7 @@ Status SensorStore::save(const std::string& room, std::span<const KnownSensor> s
         statement.bind_blob(4, row_major.data(), sizeof(row_major));
         statement.bind(5, sensor.pose->expected_error_mm);
       }
+      statement.bind(6, sensor.pose ? sensor.pose->depth_scale : 1.0);
       if (!statement.run()) return database_.failure("cannot store a sensor");
     }
     return {};

@@ -26,7 +26,8 @@ KnownSensor sensor_at(const std::string& name, std::uint16_t id, double x) {
           SensorPose{.world_from_depth = {Eigen::Matrix3d::Identity(), {x, 0, 0}},
                      .source = PoseSource::kEstimated,
                      .state = PoseState::kValid,
-                     .expected_error_mm = 4}};
+                     .expected_error_mm = 4,
+                     .depth_scale = 1.04}};
 }
 
 TEST(SensorStore, keeps_entries_across_a_restart) {
@@ -42,6 +43,7 @@ TEST(SensorStore, keeps_entries_across_a_restart) {
   EXPECT_EQ((*kept)[1].pose->world_from_depth.translation_m,
             sensors[1].pose->world_from_depth.translation_m);
   EXPECT_EQ((*kept)[1].pose->expected_error_mm, 4);
+  EXPECT_EQ((*kept)[1].pose->depth_scale, 1.04);
   EXPECT_EQ((*kept)[1].pose->source, PoseSource::kStored);
   EXPECT_EQ((*kept)[1].pose->state, PoseState::kUnverified);
   EXPECT_TRUE(store->load("kitchen")->empty());

@@ -71,6 +71,7 @@ void SharedRoom::forward_to_owner(const wpb::Control& local) {
   };
   if (local.has_calibration_bundle()) pass(local.calibration_bundle().sensor_id());
   if (local.has_sightings()) pass(local.sightings().sensor_id());
+  if (local.has_depth_instant()) pass(local.depth_instant().sensor_id());
   if (local.has_nudge()) {
     for (const wpb::SensorEntry& entry : roster_.sensors()) {
       if (entry.id() != local.nudge().sensor_id()) continue;
@@ -129,7 +130,8 @@ void SharedRoom::on_sensor_message(HubId from, const pb::SensorMessage& message)
   const auto hub = others_.find(from);
   if (!is_owner() || hub == others_.end() || !wire::check_control(message.control())) return;
   wpb::Control control = message.control();
-  if (!control.has_calibration_bundle() && !control.has_sightings()) return;
+  if (!control.has_calibration_bundle() && !control.has_sightings() && !control.has_depth_instant())
+    return;
   const auto convert = [&](auto& sighting) {
     const RoomTime there(nanoseconds(static_cast<std::int64_t>(sighting.room_ns())));
     const auto here = hub->second.sensors.time_here(there);
@@ -143,6 +145,7 @@ void SharedRoom::on_sensor_message(HubId from, const pb::SensorMessage& message)
     }
     for (auto& tag : *control.mutable_sightings()->mutable_tags()) times_are_known &= convert(tag);
   }
+  if (control.has_depth_instant()) times_are_known = convert(*control.mutable_depth_instant());
   if (times_are_known) hub->second.sensors.forward(message.sensor_id(), control);
 }
 

@@ -182,6 +182,30 @@ TEST_F(SharedRoomPlacing, sightings_reach_the_owner_in_its_time) {
   EXPECT_EQ(owner.here.controls.back().second.sightings().heads(0).room_ns(), 14'000'000'000u);
 }
 
+TEST_F(SharedRoomPlacing, an_instant_reaches_the_owner_in_its_time) {
+  other.welcome(2, 0);
+  owner.room.set_clock(kOther, {.at = HostTime(14s), .room_minus_host = -4s, .drift = 0});
+  wpb::Control instant;
+  instant.mutable_depth_instant()->set_sensor_id(0);
+  instant.mutable_depth_instant()->set_depth("depth");
+  instant.mutable_depth_instant()->set_room_ns(10'000'000'000);
+  other.hear(instant);
+  ASSERT_FALSE(owner.here.controls.empty());
+  const auto& told = owner.here.controls.back().second.depth_instant();
+  EXPECT_EQ(told.room_ns(), 14'000'000'000u);
+  EXPECT_EQ(told.depth(), "depth");
+}
+
+TEST_F(SharedRoomPlacing, a_pose_takes_its_factor_along) {
+  other.welcome(2, 0);
+  wpb::SensorEntry scaled = aligned(0, "b", 5);
+  scaled.set_depth_scale(1.04);
+  owner.roster({scaled, sensor_there(1, "a", wpb::PLACEMENT_UNPLACED)});
+  other.roster({sensor_there(0, "b", wpb::PLACEMENT_UNPLACED)});
+  ASSERT_FALSE(other.here.controls.empty());
+  EXPECT_EQ(other.here.controls.back().second.placements().sensors(0).depth_scale(), 1.04);
+}
+
 TEST_F(SharedRoomPlacing, a_nudge_is_sent_to_the_owner_by_sensor_name) {
   other.welcome(2, 0);
   owner.roster({sensor_there(0, "a", wpb::PLACEMENT_UNPLACED),

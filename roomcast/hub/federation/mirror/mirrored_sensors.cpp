@@ -50,6 +50,7 @@ wpb::SensorPlacement placement_of(const wpb::SensorEntry& entry, SensorId here) 
   *placement.mutable_world_from_depth() = entry.world_from_depth();
   placement.set_expected_error_mm(entry.expected_error_mm());
   placement.set_unverified(entry.unverified());
+  placement.set_depth_scale(entry.depth_scale() == 0 ? 1 : entry.depth_scale());
   return placement;
 }
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/sensor/instant_reporter.h"
+
+#include <cstddef>
+#include <utility>
+
+#include "roomcast/alignment/bundle/depth_instants.h"
+#include "roomcast/alignment/service/instant_schedule.h"
+#include "roomcast/alignment/service/instant_store.h"
+
+namespace roomcast::sensor {
+namespace {
+
+constexpr std::size_t kMinMovingBlocks = 12;  // about the size of a head 3 m away
+constexpr long long kMomentsPerStillOne = 8;  // while nothing moves, one moment in eight
+
+/// By the limits of depth_instants.h, but against what stands still.
+bool shows_motion(const DepthImage& blocks_mm, const DepthImage& steady_mm) {
+  const alignment::DepthInstantOptions limits;
+  std::size_t moving = 0;
+  for (int y = 0; y < blocks_mm.height(); ++y) {
+    for (int x = 0; x < blocks_mm.width(); ++x) {
+      const double z_m = 0.001 * blocks_mm.at(x, y), steady_m = 0.001 * steady_mm.at(x, y);
+      if (z_m > 0 && steady_m - z_m > limits.before_m + limits.before_per_depth * z_m) ++moving;
+    }
+  }
+  return moving >= kMinMovingBlocks;
+}
+
+}  // namespace
+
+void InstantReporter::stand(const DepthImage& steady_mm) {
+  steady_mm_ = steady_mm.empty() ? DepthImage() : alignment::depth_in_blocks(steady_mm);
+}
+
+std::optional<wire::pb::DepthInstant> InstantReporter::add(const DepthImage& depth_mm,
+                                                           RoomTime taken) {
+  const double time_s = std::chrono::duration<double>(taken.time_since_epoch()).count();
+  const long long moment = alignment::moment_of(time_s);
+  if (steady_mm_.empty() || std::exchange(moment_, moment) == moment) return std::nullopt;
+  alignment::DepthInstant instant{time_s, alignment::depth_in_blocks(depth_mm), {}};
+  const DepthImage& blocks = instant.depth_mm;
+  if (blocks.width() != steady_mm_.width() || blocks.height() != steady_mm_.height())
+    return std::nullopt;
+  if (!shows_motion(blocks, steady_mm_) && moment % kMomentsPerStillOne != 0) return std::nullopt;
+  auto message = alignment::message_from_instant(instant);
+  if (!message) return std::nullopt;  // its picture is too small
+  return *std::move(message);
+}
+
+}  // namespace roomcast::sensor
