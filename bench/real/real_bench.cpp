@@ -48,6 +48,13 @@ recording::RigDescription placed_part(const recording::RigDescription& rig,
   return placed;
 }
 
+/// The factor on the sensor's readings that its pose assumes.
+double assumed_depth_scale(const std::string& sensor, const RealReport& report) {
+  const auto& sensors = report.alignment.sensors;
+  const auto found = std::ranges::find(sensors, sensor, &alignment::SensorReport::id);
+  return found == sensors.end() ? 1 : found->depth_scale;
+}
+
 Status draw_left_out(const std::filesystem::path& folder, const recording::RigDescription& placed,
                      int pictures, const Progress& progress, RealReport& report) {
   if (pictures == 0) {
@@ -65,6 +72,8 @@ Status draw_left_out(const std::filesystem::path& folder, const recording::RigDe
   }
   auto frames = RigFrames::open(folder, placed, 1);
   if (!frames) return frames.error();
+  for (std::size_t s = 0; s < placed.sensors.size(); ++s)
+    RigFrames::scale_depth(frames->sensors()[s], assumed_depth_scale(placed.sensors[s].id, report));
   for (std::size_t s = 0; s < placed.sensors.size(); ++s) {
     auto drawn = draw_without(*frames, s, pictures, progress);
     if (!drawn) return drawn.error();

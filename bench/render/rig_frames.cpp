@@ -23,12 +23,20 @@ Result<RigFrames> RigFrames::open(const std::filesystem::path& folder,
         HoleRegistration::create(recording->camera.calibration, {.color_scale = color_scale});
     if (!registration) return registration.error();
     const SensorCalibration cameras = recording->camera.calibration;
-    frames.sensors_.push_back({*std::move(recording), *entry.world_from_depth,
+    const io::DepthValues depth_values(recording->camera);
+    frames.sensors_.push_back({*std::move(recording), *entry.world_from_depth, depth_values,
                                *std::move(registration), std::nullopt,
                                folder / "truth" / entry.id});
     if (complete_planes) frames.sensors_.back().completion.emplace(cameras);
   }
   return frames;
+}
+
+void RigFrames::scale_depth(Sensor& sensor, double factor) {
+  io::RecordedCamera& camera = sensor.recording.camera;
+  camera.depth_scale_to_metre *= factor;
+  camera.depth_bias_m *= factor;
+  sensor.depth_values = io::DepthValues(camera);
 }
 
 Status RigFrames::read(Sensor& sensor, std::uint64_t number, RegisteredFrame& out) {
@@ -40,6 +48,7 @@ Status RigFrames::read(Sensor& sensor, std::uint64_t number, RegisteredFrame& ou
   const SensorCalibration& cameras = sensor.recording.camera.calibration;
   const io::ImageSize depth{cameras.depth.width, cameras.depth.height};
   if (auto status = reader_.read_depth(file->depth, depth, out.depth_mm); !status) return status;
+  sensor.depth_values.to_mm(out.depth_mm);
   const io::ImageSize color{cameras.color.width, cameras.color.height};
   if (auto status = reader_.read_color(file->color, color, color_); !status) return status;
   if (sensor.completion) sensor.completion->complete(out.depth_mm, color_);

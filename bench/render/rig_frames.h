@@ -15,6 +15,7 @@
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/hole_registration.h"
+#include "roomcast/io/depth_values.h"
 #include "roomcast/io/image_file.h"
 #include "roomcast/recording/dataset/recording.h"
 #include "roomcast/sensor/plane_completion.h"
@@ -37,11 +38,15 @@ class RigFrames {
   struct Sensor {
     recording::Recording recording;
     RigidTransform world_from_depth;
+    io::DepthValues depth_values;  // with factors on readings, of the rig and of alignment
     HoleRegistration registration;
     std::optional<sensor::PlaneCompletion> completion;
     std::filesystem::path truth;  // folder with its noise-free depth
   };
   [[nodiscard]] std::vector<Sensor>& sensors() { return sensors_; }
+
+  /// Multiplies the sensor's depth by a factor that alignment has found.
+  static void scale_depth(Sensor& sensor, double factor);
 
   /// Reads the frame with this number. kNotFound: the frame was lost.
   [[nodiscard]] Status read(Sensor& sensor, std::uint64_t number, RegisteredFrame& out);

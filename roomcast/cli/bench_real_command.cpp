@@ -26,7 +26,8 @@ Result<std::vector<bench::RealReport>> measure(const RealCommandOptions& options
   StatusLine line;
   for (const std::string& rig : options.rigs) {
     const auto show = [&](const std::string& what) { line.show(rig + ": " + what); };
-    const auto alignment = recording::align_recording(rig, "auto", {}, show);
+    const auto alignment =
+        recording::align_recording(rig, "auto", {}, show, alignment::DepthScaling::kEstimated);
     if (!alignment) return alignment.error();
     auto report = bench::run_real_bench(rig, *alignment, options.bench, show);
     if (!report) return report.error();

@@ -125,6 +125,7 @@ Json sensor_json(const SensorStats& sensor, const std::string& address) {
                {"moved", sensor.pose.is_moved()},
                {"unverified", sensor.pose.source == PoseSource::kStored},
                {"expected_error_mm", sensor.pose.expected_error_mm},
+               {"depth_scale", sensor.pose.depth_scale},
                {"world_from_depth", row_major_from_transform(sensor.pose.world_from_depth)}};
   if (sensor.interference) {
     const SensorInterference& disturbed = *sensor.interference;

@@ -212,7 +212,7 @@ TEST_F(RoomTest, a_sensor_is_told_the_factor_on_its_readings_that_its_pose_assum
       IsEmpty())
       << "an aligner that knows no factors changes none";
 
-  room.leave(left, at(4s));
+  (void)room.leave(left, at(4s));
   const auto again = enter(sensor_join("left", std::nullopt), 5s);
   const auto told_again = messages(actions, pb::Control::kDepthScale);
   ASSERT_EQ(told_again.size(), 1U);

@@ -24,7 +24,7 @@ bool is_update(const wpb::SensorEntry& remote, const wpb::SensorEntry& here) {
   if (here.moved() && same_pose(remote, here)) return false;  // the move is unknown there
   return here.placement() != wpb::PLACEMENT_ALIGNED || !same_pose(remote, here) || other_note ||
          remote.expected_error_mm() != here.expected_error_mm() ||
-         remote.unverified() != here.unverified();
+         remote.depth_scale() != here.depth_scale() || remote.unverified() != here.unverified();
 }
 
 }  // namespace
