@@ -2,6 +2,11 @@
 # which is in the package of all modules, several hundred megabytes larger.
 #
 #   roomcast_opencv_modules(core imgproc ...)      # -> opencv::core, opencv::imgproc, ...
+#
+# A program with the property ROOMCAST_STATIC_OPENCV takes OpenCV's archives, where these are installed: it then needs few
+# packages, for Debian's shared libraries bring OpenGL and with it a compiler of shaders.
+
+include_guard(GLOBAL)
 
 function(roomcast_opencv_modules)
   find_path(ROOMCAST_OPENCV_INCLUDE opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)
@@ -12,6 +17,23 @@ function(roomcast_opencv_modules)
     find_library(ROOMCAST_OPENCV_${module} opencv_${module} REQUIRED)
     add_library(opencv::${module} INTERFACE IMPORTED GLOBAL)
     target_include_directories(opencv::${module} SYSTEM INTERFACE ${ROOMCAST_OPENCV_INCLUDE})
-    target_link_libraries(opencv::${module} INTERFACE ${ROOMCAST_OPENCV_${module}})
+    string(REGEX REPLACE "\\.so$" ".a" archive ${ROOMCAST_OPENCV_${module}})
+    if(EXISTS ${archive})
+      set(is_static $<BOOL:$<TARGET_PROPERTY:ROOMCAST_STATIC_OPENCV>>)
+      target_link_libraries(opencv::${module} INTERFACE
+        $<IF:${is_static},roomcast_static_opencv,${ROOMCAST_OPENCV_${module}}>)
+    else()
+      target_link_libraries(opencv::${module} INTERFACE ${ROOMCAST_OPENCV_${module}})
+    endif()
   endforeach()
 endfunction()
+
+# All modules that are used, in the order in which they need one another, and what they need.
+add_library(roomcast_static_opencv INTERFACE)
+foreach(module IN ITEMS calib3d features2d flann imgproc core)
+  find_library(ROOMCAST_OPENCV_ARCHIVE_${module} libopencv_${module}.a)
+  if(ROOMCAST_OPENCV_ARCHIVE_${module})
+    target_link_libraries(roomcast_static_opencv INTERFACE ${ROOMCAST_OPENCV_ARCHIVE_${module}})
+  endif()
+endforeach()
+target_link_libraries(roomcast_static_opencv INTERFACE tbb lapack blas z ${CMAKE_DL_LIBS})

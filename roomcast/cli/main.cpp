@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "roomcast/cli/built_in_cameras.h"
 #include "roomcast/cli/program.h"
+#include "roomcast/cli/version.h"
 
 int main(int argc, char** argv) {
   using namespace roomcast::cli;
@@ -11,5 +13,5 @@ int main(int argc, char** argv) {
       add_measure_command,  add_align_command,         add_board_command,     add_nudge_command,
       add_token_command,    add_study_command,         add_bench_command,
   };
-  return run_program(argc, argv, kCommands);
+  return run_program(argc, argv, kCommands, version_text(built_in_cameras()));
 }

@@ -13,7 +13,6 @@
 #include <boost/system/system_error.hpp>
 
 #include "roomcast/cli/print.h"
-#include "roomcast/cli/version.h"
 
 namespace roomcast::cli {
 namespace {
@@ -61,13 +60,19 @@ bool says_json(int argc, char** argv) {
                      [](const char* word) { return word == std::string_view("--json"); });
 }
 
-int run_command(int argc, char** argv, std::span<const AddCommand> commands) {
+int run_command(int argc, char** argv, std::span<const AddCommand> commands,
+                const std::string& version) {
   CLI::App app("roomcast: walk around live in a remote room.", "roomcast");
-  app.set_version_flag("--version", version_text());
+  app.set_version_flag("--version", version);
   app.require_subcommand(1);
-  app.footer("Example: roomcast demo");
   Command chosen;
   for (const AddCommand add : commands) add(app, chosen);
+  const auto named = app.get_subcommands([](const CLI::App*) { return true; });
+  if (named.size() == 1 || named.front()->get_name() == "demo") {
+    app.footer("Example: roomcast demo");
+  } else {
+    app.footer("Example: roomcast " + named.front()->get_name() + " --help");
+  }
   if (const auto word = unknown_command(app, argc, argv); !word.empty()) {
     const Error unknown =
         invalid_argument("there is no command \"" + word + "\" (roomcast --help lists them)");
@@ -87,12 +92,13 @@ int run_command(int argc, char** argv, std::span<const AddCommand> commands) {
 
 }  // namespace
 
-int run_program(int argc, char** argv, std::span<const AddCommand> commands) {
+int run_program(int argc, char** argv, std::span<const AddCommand> commands,
+                const std::string& version) {
   keep_standard_streams();
   std::set_terminate(&end_with_reason);
   std::signal(SIGPIPE, SIG_IGN);  // a closed socket or pipe is an error code to us, not an end
   std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow any more
-  const int code = run_command(argc, argv, commands);
+  const int code = run_command(argc, argv, commands, version);
   if (wrote_results()) return code;
   (void)print_err("roomcast: not all of the results could be written to stdout\n");
   return code == kDone ? kFailed : code;

@@ -15,7 +15,7 @@ import { binary } from './program.mjs';
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 const build = resolve(dirname(binary), '..');
 const hasPython = existsSync(join(build, 'python/roomcast/__init__.py'));
-const packages = ['libroomcast-dev', 'libroomcast1', ...(hasPython ? ['python3-roomcast'] : []), 'roomcast'];
+const packages = ['libroomcast-dev', 'libroomcast1', ...(hasPython ? ['python3-roomcast'] : []), 'roomcast-hub', 'roomcast-sensor', 'roomcast'];
 const isBuilt = [join(build, 'CPackConfig.cmake'), join(build, 'lib/libroomcast.so.1'), join(root, 'build/web/index.html')];
 const absent = isBuilt.find((path) => !existsSync(path));
 const skip = absent ? `${absent} is not built` : false;
@@ -29,7 +29,10 @@ before(() => {
   folder = mkdtempSync(join(tmpdir(), 'roomcast-packages-'));
   run('cpack', ['-G', 'DEB', '--config', join(build, 'CPackConfig.cmake'), '-B', folder]);
   debs = readdirSync(folder).filter((name) => name.endsWith('.deb')).sort();
-  for (const deb of debs) run('dpkg-deb', ['-x', join(folder, deb), join(folder, 'root')]);
+  for (const deb of debs) {
+    const role = /^roomcast-(hub|sensor)_/.exec(deb)?.[1]; // instead of the others
+    run('dpkg-deb', ['-x', join(folder, deb), join(folder, role ?? 'root')]);
+  }
 });
 
 after(() => folder && rmSync(folder, { recursive: true, force: true }));
@@ -56,6 +59,28 @@ test('program_finds_the_reader_of_oni_files_where_openni_is_built_in', { skip },
   writeFileSync(file, 'text');
   const sensor = ['sensor', '--source', `openni2:${file}`, '--hub', 'ws://127.0.0.1:1'];
   assert.throws(() => run(unpacked('bin/roomcast'), sensor), ({ status, stderr }) => status === 1 && /OpenNI cannot open/.test(stderr));
+});
+
+const dependsOf = (name) => run('dpkg-deb', ['-f', join(folder, debs.find((deb) => deb.startsWith(`${name}_`))), 'Depends']);
+
+test('packages_for_one_role_need_no_graphics_and_no_window', { skip }, () => {
+  const graphics = /libgl1|libegl|libepoxy|libsdl2|libx11|libopenxr/i;
+  assert.match(dependsOf('roomcast'), graphics);
+  for (const role of ['roomcast-hub', 'roomcast-sensor']) assert.doesNotMatch(dependsOf(role), graphics);
+  assert.doesNotMatch(dependsOf('roomcast-hub'), /freenect|openni|ddsc/i);
+  assert.doesNotMatch(dependsOf('roomcast-sensor'), /libjwt/i);
+});
+
+test('programs_for_one_role_do_it', { skip }, () => {
+  const hub = join(folder, 'hub/usr');
+  const commands = (program) => run(program, ['--help']).split('Subcommands:')[1].split('\n\n')[0].match(/^ {2}\w[\w-]*/gm).map((name) => name.trim());
+  assert.deepEqual(commands(join(hub, 'bin/roomcast')), ['hub', 'token', 'record', 'play', 'study']);
+  assert.deepEqual(commands(join(folder, 'sensor/usr/bin/roomcast')), ['sensor', 'devices', 'calibrate', 'board']);
+  const config = join(hub, 'share/doc/roomcast/examples/roomcast.toml');
+  assert.match(run(join(hub, 'bin/roomcast'), ['hub', '--data', join(folder, 'data-hub'), '--config', config, '--check']), /lab/);
+  assert.ok(existsSync(join(hub, 'share/roomcast/web/index.html')));
+  assert.ok(existsSync(join(hub, 'lib/systemd/system/roomcast-hub.service')));
+  assert.ok(existsSync(join(folder, 'sensor/usr/lib/systemd/system/roomcast-sensor@.service')));
 });
 
 test('completion_knows_commands_and_their_options', { skip }, () => {
