@@ -4,7 +4,7 @@
 #include <cstring>
 #include <limits>
 
-#include <embree3/rtcore.h>
+#include "roomcast/simulator/tracing/embree.h"
 
 namespace roomcast::simulator {
 namespace {
@@ -84,9 +84,7 @@ std::optional<RayHit> RayScene::first_hit(const Vector3f& origin_m,
   RTCRayHit query{};
   set_ray(query.ray, origin_m, direction, kSkin_m, std::numeric_limits<float>::infinity());
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(handles_->scene, &context, &query);
+  intersect(handles_->scene, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const auto& corner = mesh_.triangles[query.hit.primID];
   const float b = query.hit.u;
@@ -109,9 +107,7 @@ bool RayScene::blocked(const Vector3f& from_m, const Vector3f& to_m) const {
   if (length < 2.0F * kSkin_m) return false;
   RTCRay ray{};
   set_ray(ray, from_m, way / length, kSkin_m, length - kSkin_m);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(handles_->scene, &context, &ray);
+  find_obstacle(handles_->scene, ray);
   return ray.tfar < 0.0F;
 }
 
