@@ -72,7 +72,9 @@ void judge_what_was_said(const std::vector<HarshEntry>& entries,
     const JudgedPair pair{*entries[first].seen, *entries[i].seen, report.sensors[first],
                           report.sensors[i]};
     const double error_mm = 1000 * alignment::difference(*pair.found(), pair.truth()).distance_m;
-    row.ratios.push_back(error_mm / std::max(0.01, report.sensors[i].expected_error_mm));
+    // What is said of the rig's origin is 0, whichever of the two it is.
+    const double said_mm = std::hypot(pair.of_a.expected_error_mm, pair.of_b.expected_error_mm);
+    row.ratios.push_back(error_mm / std::max(0.01, said_mm));
   }
 }
 
