@@ -54,7 +54,7 @@ recording::ExportFormat format_of(const std::string& name) {
                             [](recording::ExportFormat f) { return name_of(f); });
 }
 
-Result<std::unique_ptr<recording::SetWriter>> make_film_writer(
+Result<std::unique_ptr<recording::FilmWriter>> make_film_writer(
     const ExportOptions& options, const recording::FrameSetReader& reader) {
   const double end_s =
       options.to_s > 0 ? options.to_s : std::chrono::duration<double>(reader.length()).count();
@@ -84,8 +84,14 @@ Result<std::unique_ptr<recording::SetWriter>> make_mesh_writer(
 Result<std::unique_ptr<recording::SetWriter>> make_writer(const ExportOptions& options,
                                                           const recording::FrameSetReader& reader,
                                                           StatusLine& line,
-                                                          const std::stop_token& stop) {
-  if (options.format == kFilm) return make_film_writer(options, reader);
+                                                          const std::stop_token& stop,
+                                                          const recording::FilmWriter*& film) {
+  if (options.format == kFilm) {
+    auto made = make_film_writer(options, reader);
+    if (!made) return made.error();
+    film = made->get();
+    return std::unique_ptr<recording::SetWriter>(*std::move(made));
+  }
   if (options.format == kMesh) return make_mesh_writer(options, reader, line, stop);
   return recording::make_set_writer(
       format_of(options.format), options.out, {reader.sensors(), reader.began_at()}, options.cloud,
@@ -167,10 +173,13 @@ Outcome run_export(ExportOptions options) {
   if (!reader) return reader.error();
   if (auto status = recording::check_may_be_exported(**reader); !status) return status.error();
   StatusLine line;
-  auto writer = make_writer(options, **reader, line, stop.token());
+  const recording::FilmWriter* film = nullptr;
+  auto writer = make_writer(options, **reader, line, stop.token(), film);
   if (!writer) return writer.error();
   Status status = copy_sets(options, **reader, **writer, line, stop.token());
   if (auto finished = (*writer)->finish(); status && !finished) status = finished;
+  if (status && film != nullptr && (*writer)->totals().pictures > 0 && !options.film.silent)
+    give_film_voices(options.recording, options.out, *film, stop.token());
   if (!status && status.error().code == ErrorCode::kClosed) status = interrupted(options.format);
   const recording::ExportTotals totals = (*writer)->totals();
   if (status && totals.sets + totals.kept == 0)

@@ -36,6 +36,7 @@ void add_film_options(CLI::App& command, FilmCommandOptions& options) {
       ->check(within(1.0, 170.0))
       ->capture_default_str();
   add_mode_option(command, "--mode", options.mode);
+  command.add_flag("--silent", options.silent, "Video: leave out the people's voices");
 }
 
 }  // namespace roomcast::cli

@@ -18,6 +18,7 @@ struct FilmCommandOptions {
   int fps = 30;
   double fov_deg = 60;
   render::RenderMode mode = render::RenderMode::kBlend;
+  bool silent = false;
 
   /// Options for a film of `length_s` seconds. Errors as for read_camera_path.
   [[nodiscard]] Result<recording::FilmOptions> film(double length_s) const;

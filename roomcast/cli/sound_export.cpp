@@ -10,6 +10,7 @@
 #include "roomcast/cli/print.h"
 #include "roomcast/cli/status_line.h"
 #include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/recording/film/film_sound.h"
 #include "roomcast/recording/voices/voice_export.h"
 
 namespace roomcast::cli {
@@ -65,6 +66,27 @@ void add_sound_options(CLI::App& command, SoundOptions& options) {
                   "Sound: in stereo, as heard at x,y,z by somebody who looks at x,y,z (metres)")
       ->delimiter(',')
       ->expected(6);
+}
+
+void give_film_voices(const std::string& recording, const std::filesystem::path& out,
+                      const recording::FilmWriter& film, const std::stop_token& stop) {
+  std::error_code ignored;
+  const std::filesystem::path file = out / "film.mp4", sounds = out / ".voices";
+  if (!std::filesystem::is_regular_file(recording, ignored) ||
+      !std::filesystem::exists(file, ignored))
+    return;
+  const auto room = recording::RoomRecording::open(recording);
+  if (!room) return;  // a recording of another program
+  std::filesystem::remove_all(sounds, ignored);
+  recording::VoiceExportOptions voices{
+      .out = sounds, .from = film.begin(), .to = film.begin() + film.length(), .stop = stop};
+  voices.listener = [&film](nanoseconds time) { return film.world_from_view(time - film.begin()); };
+  const auto done = recording::export_voices(*room, voices);
+  const bool has_none = !done && done.error().code == ErrorCode::kNotFound;
+  const Status added = done ? recording::add_sound(file, done->files.front()) : done.error();
+  std::filesystem::remove_all(sounds, ignored);
+  if (!added && !has_none)
+    print_err("roomcast export: the film has no sound: {}\n", one_line(added.error().message));
 }
 
 Outcome export_sound(const std::string& recording, const std::filesystem::path& out,

@@ -11,6 +11,7 @@
 
 #include "roomcast/cli/command.h"
 #include "roomcast/core/clock.h"
+#include "roomcast/recording/film/film_writer.h"
 
 namespace roomcast::cli {
 
@@ -21,6 +22,12 @@ struct SoundOptions {
 };
 
 void add_sound_options(CLI::App& command, SoundOptions& options);
+
+/// Adds what people say in the recording to OUT/film.mp4, as heard from the camera. Where that is
+/// not possible the film stays silent, and a line says why; nothing is said where there are no
+/// voices.
+void give_film_voices(const std::string& recording, const std::filesystem::path& out,
+                      const recording::FilmWriter& film, const std::stop_token& stop);
 
 /// Also prints what was written.
 [[nodiscard]] Outcome export_sound(const std::string& recording, const std::filesystem::path& out,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast study: checks the plan of a study with people, exports its sessions, erases participants.
+// roomcast study: checks the plan of a study with people, exports its sessions, erases
+// participants.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -49,12 +50,14 @@ std::string order_text(const study::StudyPlan& plan, std::size_t participant) {
 void print_plan(const study::StudyPlan& plan) {
   std::size_t items = 0;
   for (const auto& questions : plan.questionnaires) items += questions.items.size();
-  print_out("{}: {} conditions, {:.1f} minutes in all; {} questionnaires with {} items\n", plan.name,
-            plan.conditions.size(), condition_minutes(plan), plan.questionnaires.size(), items);
+  print_out("{}: {} conditions, {:.1f} minutes in all; {} questionnaires with {} items\n",
+            plan.name, plan.conditions.size(), condition_minutes(plan), plan.questionnaires.size(),
+            items);
   constexpr std::size_t kShown = 12;
   const std::size_t square = study::participants_per_square(plan.conditions.size(), plan.order);
-  const std::size_t shown =
-      plan.order == study::ConditionOrder::kFixed ? 1 : std::min(std::max(square, std::size_t{4}), kShown);
+  const std::size_t shown = plan.order == study::ConditionOrder::kFixed
+                                ? 1
+                                : std::min(std::max(square, std::size_t{4}), kShown);
   for (std::size_t i = 0; i < shown; ++i) print_out("P{:03}: {}\n", i + 1, order_text(plan, i));
   if (square > 1)
     print_out("the orders repeat after {} participants: invite a multiple of that\n", square);
@@ -72,15 +75,17 @@ Outcome check_plan_file(const StudyOptions& options) {
     print_out("{}\n", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
     for (const auto& [line, sentence] : read.faults) {
-      if (line > 0) print_err("{}, line {}: {}\n", options.plan.string(), line, one_line(sentence));
-      else print_err("{}: {}\n", options.plan.string(), one_line(sentence));
+      if (line > 0)
+        print_err("{}, line {}: {}\n", options.plan.string(), line, one_line(sentence));
+      else
+        print_err("{}: {}\n", options.plan.string(), one_line(sentence));
     }
     if (read.faults.empty()) print_plan(read.plan);
   }
   if (read.faults.empty()) return Status();
   const std::size_t count = read.faults.size();
-  return {Error{ErrorCode::kMalformed, fmt::format("this plan has {} mistake{}", count,
-                                                   count == 1 ? "" : "s")},
+  return {Error{ErrorCode::kMalformed,
+                fmt::format("this plan has {} mistake{}", count, count == 1 ? "" : "s")},
           options.json};
 }
 

@@ -2,7 +2,8 @@
 // What a person says while the room is recorded: everybody sees that it is recorded, the page that plays the recording is heard
 // to play it, in step with timeline and pause, and it is exported as a sound file, at the time at which it was said.
 import assert from 'node:assert/strict';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
@@ -101,6 +102,19 @@ describe('what is said in a room that is recorded', () => {
       for (const ms of steps_ms) assert.ok(Math.min(ms, 1000 * period_s - ms) < 20, `${steps_ms}`);
       assert.ok(off_ms.length >= 3 && off_ms.every((ms) => Math.abs(ms) < 100), `${off_ms}`);
     }
+  });
+
+  test('is in a film, where it belongs', slow, async (t) => {
+    const out = join(folder, 'film');
+    await run('export', file(), '--format', 'video', '--out', out, '--size', '160,120', '--fps', '5');
+    const wav = join(folder, 'film.wav');
+    execFileSync('ffmpeg', ['-loglevel', 'error', '-i', join(out, 'film.mp4'), '-ac', '1', '-ar', String(rate_hz), '-bitexact', wav]);
+    const inFilm = chirpsIn(wav);
+    const alone = chirpsIn(join(folder, 'voices', 'Ada.wav'));
+    const shifts = inFilm.map((time_s) => Math.min(...alone.map((other) => Math.abs(time_s - other))));
+    t.diagnostic(`chirps in the film at ${inFilm.map((s) => s.toFixed(3))} s, in the sound file at ${alone.map((s) => s.toFixed(3))} s`);
+    assert.ok(inFilm.length >= 3 && shifts.every((s) => s < 0.5), `${inFilm} ${alone}`);
+    assert.deepEqual(readdirSync(out), ['film.mp4']);
   });
 
   test('is heard when it is played, and not while it is paused', slow, async () => {

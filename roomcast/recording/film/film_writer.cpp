@@ -72,14 +72,23 @@ FilmWriter::FilmWriter(const std::vector<SetSensor>& sensors, FilmOptions option
       path_(options_.path) {}
 
 Status FilmWriter::add(const FrameSet& set) {
-  if (totals_.sets == 0) begin(set);
+  if (totals_.sets == 0) start(set);
   const double time_s = std::chrono::duration<double>(set.time - begin_).count();
   if (auto status = draw_before(time_s); !status) return status;
   ++totals_.sets;
   return show(set);
 }
 
-void FilmWriter::begin(const FrameSet& set) {
+nanoseconds FilmWriter::length() const {
+  return nanoseconds(
+      static_cast<std::int64_t>(1e9 * static_cast<double>(totals_.pictures) / options_.fps));
+}
+
+RigidTransform FilmWriter::world_from_view(nanoseconds time) const {
+  return path_->world_from_view(std::chrono::duration<double>(time).count());
+}
+
+void FilmWriter::start(const FrameSet& set) {
   begin_ = set.time;
   if (!path_) path_ = swing_before(set, options_.length_s);
 }
@@ -173,14 +182,12 @@ Result<std::unique_ptr<viewer::VideoSink>> open_sink(const std::filesystem::path
 
 }  // namespace
 
-Result<std::unique_ptr<SetWriter>> make_film(const std::filesystem::path& out,
-                                             const std::vector<SetSensor>& sensors,
-                                             FilmOptions options) {
+Result<std::unique_ptr<FilmWriter>> make_film(const std::filesystem::path& out,
+                                              const std::vector<SetSensor>& sensors,
+                                              FilmOptions options) {
   auto sink = open_sink(out, options);
   if (!sink) return sink.error();
-  auto writer = FilmWriter::create(sensors, std::move(options), std::move(*sink));
-  if (!writer) return writer.error();
-  return std::unique_ptr<SetWriter>(std::move(*writer));
+  return FilmWriter::create(sensors, std::move(options), std::move(*sink));
 }
 
 }  // namespace roomcast::recording

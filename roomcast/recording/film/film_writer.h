@@ -40,6 +40,12 @@ class FilmWriter final : public SetWriter {
   Status finish() override;
   [[nodiscard]] ExportTotals totals() const override { return totals_; }
 
+  /// Where the film begins in the recording, and its length.
+  [[nodiscard]] nanoseconds begin() const { return begin_; }
+  [[nodiscard]] nanoseconds length() const;
+  /// View frame: x right, y up, -z ahead. `time`: since the film began. Only after add().
+  [[nodiscard]] RigidTransform world_from_view(nanoseconds time) const;
+
  private:
   struct Stage {
     render::EglContext context;
@@ -48,7 +54,7 @@ class FilmWriter final : public SetWriter {
   };
   FilmWriter(const std::vector<SetSensor>& sensors, FilmOptions options, render::ViewCamera camera,
              Stage stage, std::unique_ptr<viewer::VideoSink> sink);
-  void begin(const FrameSet& set);
+  void start(const FrameSet& set);
   Status draw_before(double time_s);
   Status draw();
   Status show(const FrameSet& set);
@@ -66,8 +72,8 @@ class FilmWriter final : public SetWriter {
 /// Writes OUT/film.mp4 with ffmpeg, or OUT/film/frame-NNNNNN.png if ffmpeg is not installed. The
 /// file gets its final name when it is complete. Creates the folder. kUnavailable if the film
 /// exists already.
-[[nodiscard]] Result<std::unique_ptr<SetWriter>> make_film(const std::filesystem::path& out,
-                                                           const std::vector<SetSensor>& sensors,
-                                                           FilmOptions options);
+[[nodiscard]] Result<std::unique_ptr<FilmWriter>> make_film(const std::filesystem::path& out,
+                                                            const std::vector<SetSensor>& sensors,
+                                                            FilmOptions options);
 
 }  // namespace roomcast::recording
