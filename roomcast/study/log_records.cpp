@@ -24,14 +24,16 @@ constexpr std::array kPoseFields = {
     LogField{"x", kNumber, "m", "head, world frame; y is up"},
     LogField{"y", kNumber, "m", "head, world frame"},
     LogField{"z", kNumber, "m", "head, world frame"},
-    LogField{"qx", kNumber, "", "unit quaternion, world from head: x right, y up, -z where it looks"},
+    LogField{"qx", kNumber, "",
+             "unit quaternion, world from head: x right, y up, -z where it looks"},
     LogField{"qy", kNumber, "", ""},
     LogField{"qz", kNumber, "", ""},
     LogField{"qw", kNumber, "", ""}};
 constexpr std::array kFigureFields = {
     LogField{"fps", kNumber, "1/s", "frame sets drawn in the last second"},
-    LogField{"latency_ms", kNumber, "ms",
-             "capture to drawing, median of the last second; with what the condition adds; 0: unknown"},
+    LogField{
+        "latency_ms", kNumber, "ms",
+        "capture to drawing, median of the last second; with what the condition adds; 0: unknown"},
     LogField{"mbit", kNumber, "Mbit/s", "received in the last second"},
     LogField{"clock_error_ms", kNumber, "ms", "bound on the error of the latency; 0: unknown"}};
 constexpr std::array kSensorFields = {
@@ -46,12 +48,14 @@ constexpr std::array kAnswerFields = {
     LogField{"questionnaire", kText, "", "name of the questionnaire in the plan"},
     LogField{"item", kText, "", "name of the item"},
     LogField{"value", kAnswer, "", "the answer: a number, or text; empty if it was left out"},
-    LogField{"at_s", kNumber, "s", "time within the condition at which it was asked; 0: not within one"},
+    LogField{"at_s", kNumber, "s",
+             "time within the condition at which it was asked; 0: not within one"},
     LogField{"after_s", kNumber, "s", "from showing the questionnaire to sending it"}};
 constexpr std::array kPageFields = {
-    LogField{"what", kText, "",
-             "visible (the page can be seen), connected (to the hub), loaded (again, after the first "
-             "time), trouble (the page cannot do what the condition asks)"},
+    LogField{
+        "what", kText, "",
+        "visible (the page can be seen), connected (to the hub), loaded (again, after the first "
+        "time), trouble (the page cannot do what the condition asks)"},
     LogField{"on", kFlag, "", "true when it begins, false when it ends"},
     LogField{"note", kText, "", "details for people"}};
 
@@ -131,7 +135,8 @@ Status check_record(const Json& record) {
                                       field.name, name_of(field.type)));
   }
   if (record.size() != kind->fields.size() + 2)
-    return wrong_record(fmt::format("a record of the kind \"{}\" has an unknown field", kind->name));
+    return wrong_record(
+        fmt::format("a record of the kind \"{}\" has an unknown field", kind->name));
   return {};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The records of a participant's session log: which kinds there are, and which fields each has, with
-// unit and meaning. One table serves the check of what pages send, the columns of exported files,
-// and the data dictionary. Threading: immutable.
+// The records of a participant's session log: which kinds there are, and which fields each has,
+// with unit and meaning. One table serves the check of what pages send, the columns of exported
+// files, and the data dictionary. Threading: immutable.
 #pragma once
 
 #include <cstddef>

@@ -57,7 +57,8 @@ TEST(LogRecords, have_bounded_numbers_and_texts) {
 }
 
 TEST(LogRecords, that_are_something_else_are_refused_with_a_sentence) {
-  for (const Json& other : {Json(), Json(1), Json::array(), Json::object(), Json{{"kind", "secrets"}, {"t", 1}}})
+  for (const Json& other :
+       {Json(), Json(1), Json::array(), Json::object(), Json{{"kind", "secrets"}, {"t", 1}}})
     EXPECT_FALSE(check_record(other).error().message.empty());
 }
 

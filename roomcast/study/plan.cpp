@@ -9,10 +9,10 @@ namespace {
 using Json = nlohmann::json;
 
 Json condition_json(const Condition& condition) {
-  return {{"name", condition.name},       {"seconds", condition.seconds},
-          {"room", condition.room},       {"instruction", condition.instruction},
-          {"mode", condition.mode},       {"latency_ms", condition.latency_ms},
-          {"fps", condition.fps},         {"sensors_off", condition.sensors_off},
+  return {{"name", condition.name},  {"seconds", condition.seconds},
+          {"room", condition.room},  {"instruction", condition.instruction},
+          {"mode", condition.mode},  {"latency_ms", condition.latency_ms},
+          {"fps", condition.fps},    {"sensors_off", condition.sensors_off},
           {"voice", condition.voice}};
 }
 
@@ -27,10 +27,10 @@ Json questionnaire_json(const Questionnaire& questions) {
                      {"choices", item.choices},
                      {"required", item.required}});
   }
-  return {{"name", questions.name},     {"title", questions.title},
-          {"intro", questions.intro},   {"before", questions.before},
-          {"after", questions.after},   {"after_condition", questions.after_condition},
-          {"at_s", questions.at_s},     {"items", std::move(items)}};
+  return {{"name", questions.name},   {"title", questions.title},
+          {"intro", questions.intro}, {"before", questions.before},
+          {"after", questions.after}, {"after_condition", questions.after_condition},
+          {"at_s", questions.at_s},   {"items", std::move(items)}};
 }
 
 constexpr std::string_view kExample = R"([study]
@@ -116,7 +116,8 @@ std::string_view name_of(QuestionItem::Kind kind) {
 
 Json to_json(const StudyPlan& plan) {
   Json conditions = Json::array(), questionnaires = Json::array();
-  for (const Condition& condition : plan.conditions) conditions.push_back(condition_json(condition));
+  for (const Condition& condition : plan.conditions)
+    conditions.push_back(condition_json(condition));
   for (const Questionnaire& questions : plan.questionnaires)
     questionnaires.push_back(questionnaire_json(questions));
   return {{"name", plan.name},

@@ -55,9 +55,9 @@ struct Questionnaire {
   std::string name;
   std::string title = {};
   std::string intro = {};
-  bool before = false;           // all conditions
-  bool after_condition = false;  // each
-  bool after = false;            // all
+  bool before = false;            // all conditions
+  bool after_condition = false;   // each
+  bool after = false;             // all
   std::vector<double> at_s = {};  // within each condition, whose time stands still meanwhile
   std::vector<QuestionItem> items = {};
 };

@@ -84,7 +84,8 @@ void PlanReader::read_table(const toml::table& table, const std::string& what,
       continue;
     }
     std::string known;
-    for (const auto& [name, read] : readers) known += (known.empty() ? "" : ", ") + std::string(name);
+    for (const auto& [name, read] : readers)
+      known += (known.empty() ? "" : ", ") + std::string(name);
     fault(key.source().begin.line,
           fmt::format("{} has no \"{}\"; it may have: {}", what, std::string(key.str()), known));
   }
@@ -98,10 +99,11 @@ void PlanReader::each_table(const toml::node& node, const std::string& what, std
                             const std::function<void(const toml::table&)>& read) {
   const toml::array* list = node.as_array();
   const bool are_tables = list != nullptr && std::ranges::all_of(*list, [](const toml::node& one) {
-    return one.is_table();
-  });
+                            return one.is_table();
+                          });
   if (!are_tables)
-    return fault(line_of(node), fmt::format("write each {} as [[{}]] on a line of its own", what, what));
+    return fault(line_of(node),
+                 fmt::format("write each {} as [[{}]] on a line of its own", what, what));
   if (list->size() > most)
     return fault(line_of((*list)[most]), fmt::format("there are more than {} of {}", most, what));
   for (const toml::node& one : *list) read(*one.as_table());
@@ -131,7 +133,8 @@ void PlanReader::flag(const toml::node& node, bool& into) {
 void PlanReader::number(const toml::node& node, double least, double most, double& into) {
   const auto value = node.is_number() ? node.value<double>() : std::nullopt;
   if (!value || !(*value >= least && *value <= most))
-    return fault(line_of(node), fmt::format("this must be a number from {:g} to {:g}", least, most));
+    return fault(line_of(node),
+                 fmt::format("this must be a number from {:g} to {:g}", least, most));
   into = *value;
 }
 
@@ -212,7 +215,8 @@ void PlanReader::read_study(const toml::table& table) {
   need(table, "[study]", "name");
   need(table, "[study]", "consent");
   if (table.contains("consent") && plan.consent.empty())
-    fault(line_of(*table.get("consent")), "without a text that people agree to nobody can take part");
+    fault(line_of(*table.get("consent")),
+          "without a text that people agree to nobody can take part");
 }
 
 void PlanReader::read_condition(const toml::table& table) {

@@ -83,15 +83,18 @@ kind = "number"
 }
 
 TEST(StudyPlan, mistakes_are_told_with_their_line) {
-  EXPECT_THAT(only_fault("colour = 1\n"), HasSubstr("6: a condition has no \"colour\"; it may have: fps"));
+  EXPECT_THAT(only_fault("colour = 1\n"),
+              HasSubstr("6: a condition has no \"colour\"; it may have: fps"));
   EXPECT_THAT(only_fault("seconds = \"long\"\n"), HasSubstr("6: this must be a number from 1 to"));
   EXPECT_THAT(only_fault("seconds = 0\n"), HasSubstr("6: "));
   EXPECT_THAT(only_fault("seconds = nan\n"), HasSubstr("6: "));
   EXPECT_THAT(only_fault("mode = \"cubist\"\n"), HasSubstr("\"blend\", \"mesh\", \"points\""));
   EXPECT_THAT(only_fault("voice = \"no\"\n"), HasSubstr("true or false"));
   EXPECT_THAT(only_fault("sensors_off = \"s1\"\n"), HasSubstr("list of texts"));
-  EXPECT_THAT(only_fault("[[condition]]\nname = \"one\"\n"), HasSubstr("two conditions named \"one\""));
-  EXPECT_THAT(only_fault("[[condition]]\nseconds = 5\n"), HasSubstr("6: a condition needs \"name\""));
+  EXPECT_THAT(only_fault("[[condition]]\nname = \"one\"\n"),
+              HasSubstr("two conditions named \"one\""));
+  EXPECT_THAT(only_fault("[[condition]]\nseconds = 5\n"),
+              HasSubstr("6: a condition needs \"name\""));
   EXPECT_THAT(only_fault("[[condition]]\nname = \"a/b\"\n"), HasSubstr("\"a/b\" is no name"));
   EXPECT_THAT(only_fault("[questionnaire]\nname = \"q\"\n"), HasSubstr("[[questionnaire]]"));
   EXPECT_THAT(only_fault("more = ]\n"), HasSubstr("6: this is not TOML"));

@@ -25,9 +25,11 @@ struct Column {
 
 constexpr std::array kParticipantColumns = {
     Column{"participant", "text", "", "number of the person, who is known by nothing else"},
-    Column{"number", "number", "", "counts the participants from 1; decides the order of conditions"},
+    Column{"number", "number", "",
+           "counts the participants from 1; decides the order of conditions"},
     Column{"consented_at", "time", "UTC", "when the person agreed"},
-    Column{"plan", "text", "", "begin of the SHA-256 of the plan: plans/ in the folder of the study"},
+    Column{"plan", "text", "",
+           "begin of the SHA-256 of the plan: plans/ in the folder of the study"},
     Column{"order", "text", "", "names of the conditions in the order of this person"},
     Column{"steps", "number", "", "steps of the session that have ended"},
     Column{"seconds", "number", "s", "length of the session, up to its last record"}};
@@ -149,8 +151,8 @@ std::size_t ended_steps(const std::vector<Json>& records) {
 
 std::string csv_field(const std::string& text) {
   std::string field;
-  const bool is_formula = !text.empty() && std::string_view("=+-@\t\r").find(text[0]) !=
-                                               std::string_view::npos;
+  const bool is_formula =
+      !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos;
   if (is_formula) field += '\'';
   field += text;
   if (field.find_first_of("\",\r\n'") == std::string::npos) return field;

@@ -22,18 +22,20 @@ class StudyFixture : public testing::Test {
             .participants = 3,
             .conditions = {{.name = "one"}, {.name = "two"}}};
   }
-  StudyFolder create() { return *StudyFolder::create(path, plan, "name = 1", std::string(64, 'a')); }
+  StudyFolder create() {
+    return *StudyFolder::create(path, plan, "name = 1", std::string(64, 'a'));
+  }
 
   static nlohmann::json step(double t, std::size_t number, const std::string& name, bool begins) {
-    return {{"kind", "steps"}, {"t", t},       {"step", number}, {"what", "condition"},
-            {"name", name},    {"begins", begins}};
+    return {{"kind", "steps"},     {"t", t},       {"step", number},
+            {"what", "condition"}, {"name", name}, {"begins", begins}};
   }
   static nlohmann::json speech(double t, bool on) {
     return {{"kind", "speech"}, {"t", t}, {"on", on}};
   }
   static nlohmann::json answer(double t, const nlohmann::json& value) {
-    return {{"kind", "answers"}, {"t", t},         {"questionnaire", "q"}, {"item", "i"},
-            {"value", value},    {"at_s", 0},      {"after_s", 2.5}};
+    return {{"kind", "answers"}, {"t", t},    {"questionnaire", "q"}, {"item", "i"},
+            {"value", value},    {"at_s", 0}, {"after_s", 2.5}};
   }
 
   TemporaryFolder folder;

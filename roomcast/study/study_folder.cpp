@@ -101,9 +101,10 @@ Result<StudyFolder> StudyFolder::create(const fs::path& folder, const StudyPlan&
     const auto known = open(folder);
     if (!known) return known.error();
     if (known->study() != plan.name) {
-      return Error{ErrorCode::kInvalidArgument,
-                   fmt::format("{} belongs to the study \"{}\", not to \"{}\"; choose another folder",
-                               folder.string(), known->study(), plan.name)};
+      return Error{
+          ErrorCode::kInvalidArgument,
+          fmt::format("{} belongs to the study \"{}\", not to \"{}\"; choose another folder",
+                      folder.string(), known->study(), plan.name)};
     }
   }
   for (const char* part : {kPeople, kPlans}) {
@@ -145,9 +146,9 @@ std::size_t StudyFolder::next_number() const {
 Result<Participant> StudyFolder::enroll(const StudyPlan& plan, std::string key_sha256,
                                         nanoseconds now) {
   if (participants().size() >= plan.participants) {
-    return Error{ErrorCode::kUnavailable,
-                 fmt::format("this study has its {} participants and takes no more",
-                             plan.participants)};
+    return Error{
+        ErrorCode::kUnavailable,
+        fmt::format("this study has its {} participants and takes no more", plan.participants)};
   }
   const std::size_t number = next_number();
   Participant person{.id = fmt::format("P{:03}", number),
@@ -264,8 +265,7 @@ Status StudyFolder::erase(const std::string& id, nanoseconds now) {
   const fs::path gone = folder_ / (".erasing-" + id);
   fs::rename(folder_of(id), gone, error);
   if (!error) fs::remove_all(gone, error);
-  if (error)
-    return Error{ErrorCode::kUnavailable, "cannot erase " + id + ": " + error.message()};
+  if (error) return Error{ErrorCode::kUnavailable, "cannot erase " + id + ": " + error.message()};
   return io::append_line(folder_ / kErasedFile, id + " erased " + utc_second(now));
 }
 

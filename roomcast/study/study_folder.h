@@ -28,10 +28,10 @@ struct Participant {
   std::string id;  // "P007"
   std::size_t number = 0;
   std::vector<std::string> order = {};  // names of conditions
-  std::string consented_at;        // UTC, as 2026-11-26T12:00:00Z
-  std::string consent;             // the text that was agreed to
-  std::string key_sha256;          // hexadecimal
-  std::string plan_sha256;         // of the plan, as in the folder's plans/
+  std::string consented_at;             // UTC, as 2026-11-26T12:00:00Z
+  std::string consent;                  // the text that was agreed to
+  std::string key_sha256;               // hexadecimal
+  std::string plan_sha256;              // of the plan, as in the folder's plans/
 };
 
 class StudyFolder {
@@ -56,7 +56,8 @@ class StudyFolder {
   /// Appends checked records. A batch whose number is not above the last one is there already and
   /// is not written again. kNotFound, kMalformed as check_record(); kTooLarge: the log is full;
   /// kUnavailable: the disk.
-  [[nodiscard]] Status append(const std::string& id, std::uint64_t batch, const nlohmann::json& records);
+  [[nodiscard]] Status append(const std::string& id, std::uint64_t batch,
+                              const nlohmann::json& records);
 
   struct Progress {
     std::uint64_t batch = 0;  // the last one; 0: none
@@ -87,8 +88,8 @@ class StudyFolder {
   static void count(const nlohmann::json& record, Progress& progress);
 
   std::filesystem::path folder_;
-  std::string study_;        // its name
-  std::string plan_sha256_;  // of the plan in use
+  std::string study_;                         // its name
+  std::string plan_sha256_;                   // of the plan in use
   std::map<std::string, Progress> progress_;  // of sessions that were asked for
 };
 

@@ -74,12 +74,16 @@ TEST_F(StudyFolderTest, a_batch_that_a_crash_cut_off_counts_when_it_comes_again)
 TEST_F(StudyFolderTest, refuses_records_that_are_none_and_writes_nothing_of_them) {
   auto study = create();
   (void)study.enroll(plan, "k", kNow);
-  EXPECT_EQ(study.append("P001", 1, Json::array({speech(1, true), Json{{"kind", "secrets"}}})).error().code,
+  EXPECT_EQ(study.append("P001", 1, Json::array({speech(1, true), Json{{"kind", "secrets"}}}))
+                .error()
+                .code,
             ErrorCode::kMalformed);
   EXPECT_EQ(study.append("P001", 1, Json::object()).error().code, ErrorCode::kMalformed);
   EXPECT_TRUE(study.records("P001")->empty());
   for (const char* id : {"P009", "", "../..", "P00x", "Q001"})
-    EXPECT_EQ(study.append(id, 1, Json::array({speech(1, true)})).error().code, ErrorCode::kNotFound) << id;
+    EXPECT_EQ(study.append(id, 1, Json::array({speech(1, true)})).error().code,
+              ErrorCode::kNotFound)
+        << id;
 }
 
 TEST_F(StudyFolderTest, erases_all_of_a_participant_whose_number_is_not_given_again) {
@@ -90,7 +94,8 @@ TEST_F(StudyFolderTest, erases_all_of_a_participant_whose_number_is_not_given_ag
   auto other = *StudyFolder::open(path);  // another program
   ASSERT_TRUE(other.erase("P002", kNow).ok());
   EXPECT_EQ(other.erase("P002", kNow).error().code, ErrorCode::kNotFound);
-  EXPECT_EQ(study.append("P002", 2, Json::array({speech(1, true)})).error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(study.append("P002", 2, Json::array({speech(1, true)})).error().code,
+            ErrorCode::kNotFound);
   for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
     if (!entry.is_regular_file()) continue;
     std::ifstream file(entry.path());

@@ -44,8 +44,7 @@ bool StudyApi::has(AdminCall call) {
 
 void StudyApi::answer(const MatchedRoute& match, const std::string& body,
                       const net::Respond& respond) {
-  if (desk_ == nullptr)
-    return respond(error_answer(404, "not_found", "this hub runs no study"));
+  if (desk_ == nullptr) return respond(error_answer(404, "not_found", "this hub runs no study"));
   switch (match.route.call) {
     case AdminCall::kStudy:
       return respond(json_answer(200, Json::parse(desk_->plan())));

@@ -35,7 +35,11 @@ class StudyApiTest : public AdminApiTest {
   StudyApiTest() { asked = &with_study; }
   FakeDesk desk;
   std::map<std::string, std::string, std::less<>> audit;
-  AdminApi with_study{registry, store_worker, "test", &recordings, &desk,
+  AdminApi with_study{registry,
+                      store_worker,
+                      "test",
+                      &recordings,
+                      &desk,
                       [this](LogLevel, std::string_view, LogFields fields) {
                         for (const auto& [key, value] : fields) audit[std::string(key)] = value;
                       }};
@@ -59,8 +63,10 @@ TEST_F(StudyApiTest, a_participant_agrees_and_logs_without_a_trace_of_the_addres
 TEST_F(StudyApiTest, where_viewing_takes_a_token_beginning_does_too) {
   const nlohmann::json agrees = {{"agrees_to", "p1"}};
   EXPECT_EQ(ask("POST", "/study/participants", "", agrees).status, 401);
-  EXPECT_EQ(ask("POST", "/study/participants", token("cellar", TokenRole::kViewer), agrees).status, 403);
-  EXPECT_EQ(ask("POST", "/study/participants", token("lab", TokenRole::kViewer), agrees).status, 201);
+  EXPECT_EQ(ask("POST", "/study/participants", token("cellar", TokenRole::kViewer), agrees).status,
+            403);
+  EXPECT_EQ(ask("POST", "/study/participants", token("lab", TokenRole::kViewer), agrees).status,
+            201);
 }
 
 TEST_F(StudyApiTest, what_is_wrong_is_refused_with_a_sentence) {

@@ -60,7 +60,8 @@ TEST_F(HubStudyTest, somebody_agrees_logs_and_goes_on_later) {
 
 TEST_F(HubStudyTest, only_the_own_key_opens_a_session) {
   (void)enroll(plan_id());
-  for (const StudyCaller& stranger : {StudyCaller{"P001", ""}, {"P001", std::string(32, 'a')}, {"P002", ""}}) {
+  for (const StudyCaller& stranger :
+       {StudyCaller{"P001", ""}, {"P001", std::string(32, 'a')}, {"P002", ""}}) {
     EXPECT_EQ(resume(stranger).error().code, ErrorCode::kNotFound);
     EXPECT_EQ(log(stranger, 1, "[]").error().code, ErrorCode::kNotFound);
   }

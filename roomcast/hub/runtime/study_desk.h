@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // StudyDesk: the pages' view of the study that this hub runs (docs/spec/study.md). The hub itself
-// keeps nothing of it. All texts are JSON objects. Threading: called on the rooms' thread; no member
-// may block. Answers come later, on any thread.
+// keeps nothing of it. All texts are JSON objects. Threading: called on the rooms' thread; no
+// member may block. Answers come later, on any thread.
 #pragma once
 
 #include <cstdint>
