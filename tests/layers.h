@@ -247,7 +247,7 @@ inline const std::vector<Layer> kLayers = {
     {"hub/runtime",
      "core hub/access hub/config hub/room hub/store net wire"},
     {"hub/admin",
-     "core geometry hub/access hub/config hub/room hub/runtime hub/store net"},
+     "core geometry hub/access hub/config hub/room hub/runtime hub/store net wire"},
     {"hub/federation/mirror",
      "client/room hub/runtime net wire",
      "hub/server"},

@@ -17,6 +17,7 @@ import './room.test.mjs';
 import './security.test.mjs';
 import './console.test.mjs';
 import './headset.test.mjs';
+import './together.test.mjs';
 import './trouble.test.mjs';
 import './study.test.mjs';
 import './voice.test.mjs';

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The controls of a recording are loaded when one is played; nobody else waits for them.
+import type { ViewerEntry, ViewerPose } from './gen/control_pb';
 import type { PlaybackBar, PlaybackSound } from './playback/playback_bar';
+import type { Self } from './playback/together';
 import type { PlaybackCommand, PlaybackState, ViewFrame } from './stream/protocol';
 
 export interface PlaybackEvents {
   control(command: PlaybackCommand): void;
   room(): string;
   sound(): PlaybackSound;
+  /** This person, for the others who play the same recording. */
+  self(): Self & { token: string };
+  /** Those others. */
+  people(viewers: ViewerEntry[], poses: ViewerPose[]): void;
   /** The controls could not be loaded. */
   failed(): void;
 }
@@ -35,8 +41,10 @@ export class LazyPlayback {
 
   private async load(): Promise<void> {
     this.isLoading = true;
-    const { PlaybackBar } = await import('./playback/playback_bar');
-    this.bar = new PlaybackBar(this.events.room(), (command) => this.events.control(command), this.events.sound());
+    const { PlaybackBar, partyOf } = await import('./playback/playback_bar');
+    const { events } = this;
+    const together = partyOf(events, this.newest!.name);
+    this.bar = new PlaybackBar(events.room(), (command) => events.control(command), events.sound(), together);
     this.bar.show(this.newest!);
   }
 }

@@ -5,7 +5,7 @@ import { accessTo, readAccess, rememberAccess, type Access } from './access';
 import { authorKey } from './author_key';
 import type { Console } from './console/console';
 import { HubApi } from './console/hub_api';
-import type { Voices, Welcome } from './gen/control_pb';
+import type { ViewerEntry, ViewerPose, Voices, Welcome } from './gen/control_pb';
 import { enterHeadset, headsetOf } from './headset_view';
 import { LazyConsole } from './lazy_console';
 import { LazyPlayback } from './lazy_playback';
@@ -62,10 +62,14 @@ class Page {
     control: (command) => this.link.playback(command),
     room: () => this.state.welcome?.room ?? '',
     sound: () => this.sound.ofRecording,
+    self: () => ({ name: ownName(this.options.name, browserStorage.store), head: this.body.head, token: this.access.token }),
+    people: (viewers, poses) => this.joinedBy(viewers, poses),
     failed: () => this.breakDown(problemTexts.noPlayback),
   });
   private readonly nudges = new SensorNudges();
   private readonly places = new RoomPlaces(browserStorage.store, () => this);
+  private company: ViewerEntry[] = []; // who plays the same recording
+  private recorded: RoomRoster | undefined; // the roster without them
   private atHand: ViewFrame[] = []; // passed to the stage, not yet drawn
   private setAtHand = 0n;
 
@@ -208,9 +212,7 @@ class Page {
       case 'roster':
         return this.followRoster(message.roster);
       case 'poses':
-        message.poses.forEach((pose) => this.state.poses.set(pose.viewerId, pose));
-        if (this.stage.room.avatars.move(message.poses)) this.stage.touch();
-        return;
+        return this.takePoses(message.poses);
       case 'marks':
         return this.marking.take(message.marks);
       case 'guide':
@@ -285,7 +287,21 @@ class Page {
     return name;
   }
 
-  private followRoster(roster: RoomRoster): void {
+  private joinedBy(viewers: ViewerEntry[], poses: ViewerPose[]): void {
+    const isOther = viewers.map(({ id }) => id).join() !== this.company.map(({ id }) => id).join();
+    this.company = viewers;
+    if (isOther && this.recorded) this.followRoster(this.recorded);
+    this.takePoses(poses);
+  }
+
+  private takePoses(poses: ViewerPose[]): void {
+    poses.forEach((pose) => this.state.poses.set(pose.viewerId, pose));
+    if (this.stage.room.avatars.move(poses)) this.stage.touch();
+  }
+
+  private followRoster(given: RoomRoster): void {
+    this.recorded = given;
+    const roster = { ...given, viewers: [...given.viewers, ...this.company] };
     const before = this.state.roster;
     this.nudges.forgetAnswered(before, roster);
     this.state.follow(roster);

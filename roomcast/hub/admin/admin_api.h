@@ -18,6 +18,7 @@
 #include "roomcast/hub/admin/study_api.h"
 #include "roomcast/hub/runtime/room_recordings.h"
 #include "roomcast/hub/runtime/room_registry.h"
+#include "roomcast/hub/runtime/watch_party.h"
 #include "roomcast/hub/store/store_worker.h"
 #include "roomcast/net/http_request.h"
 
@@ -69,6 +70,7 @@ class AdminApi {
   void recording_file(const Call& call) const;
   void rename_recording(const Call& call) const;
   void delete_recording(const Call& call) const;
+  void watch_together(const Call& call);
   void make_download(const Call& call);
   void download(const Call& call);
   void list_tokens(const Call& call);
@@ -80,6 +82,7 @@ class AdminApi {
   const std::string version_;
   RoomRecordings* const recordings_;
   DownloadLinks downloads_;
+  WatchParties parties_;
   AdminAuth auth_;
   StudyApi study_;
   SteadyClock clock_;

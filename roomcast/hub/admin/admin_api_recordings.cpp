@@ -8,6 +8,7 @@
 
 #include "roomcast/hub/admin/admin_answer.h"
 #include "roomcast/hub/admin/admin_api.h"
+#include "roomcast/hub/admin/watcher_json.h"
 #include "roomcast/net/http_request.h"
 
 namespace roomcast::hub {
@@ -78,6 +79,8 @@ void AdminApi::carry_out_on_recordings(const Call& call) {
       return recording_part(call);
     case AdminCall::kRecordingFile:
       return recording_file(call);
+    case AdminCall::kWatchTogether:
+      return watch_together(call);
     case AdminCall::kMakeDownload:
       return make_download(call);
     case AdminCall::kRenameRecording:
@@ -176,6 +179,18 @@ void AdminApi::delete_recording(const Call& call) const {
                              [call](const Status& removed) {
                                call.respond(removed ? no_content() : refusal_of(removed.error()));
                              });
+}
+
+void AdminApi::watch_together(const Call& call) {
+  const auto watcher = read_watcher(call.body);
+  if (!watcher) return call.respond(error_answer(watcher.error()));
+  const auto view =
+      parties_.visit(call.parameter(0) + "/" + call.parameter(1), *watcher, clock_.now());
+  if (!view) {
+    return call.respond(
+        error_answer(409, "conflict", "as many people as may are playing recordings together"));
+  }
+  call.respond(json_answer(200, watch_party_json(*view)));
 }
 
 void AdminApi::make_download(const Call& call) {

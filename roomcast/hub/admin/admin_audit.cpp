@@ -62,7 +62,8 @@ bool is_refusal(int status) {
 net::Respond audited(const LogSink& log, AuditedCall call, net::Respond respond) {
   if (!log) return respond;
   return [log, call = std::move(call), respond = std::move(respond)](net::HttpResponse response) {
-    if (call.method != "GET" || is_refusal(response.status)) log_call(log, call, response);
+    const bool changes = call.method != "GET" && !call.is_frequent;
+    if (changes || is_refusal(response.status)) log_call(log, call, response);
     respond(std::move(response));
   };
 }

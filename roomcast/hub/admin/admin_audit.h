@@ -13,6 +13,7 @@ namespace roomcast::hub {
 struct AuditedCall {
   std::string method, path, peer;
   std::string token_id = {}, name = {};  // of the token presented; empty: none, or an invalid one
+  bool is_frequent = false;  // comes many times a second, and changes nothing that stays
 };
 
 /// Wraps `respond` so that the answer is logged. No secrets are logged: of a token only its ID.

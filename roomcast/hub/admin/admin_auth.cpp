@@ -13,7 +13,10 @@ AdminAuth::AdminAuth(RoomRegistry& registry, StoreWorker& store_worker, LogSink 
 
 void AdminAuth::admit(const net::HttpRequest& request, bool needs_token, net::Respond respond,
                       std::function<void(Caller)> enter) {
-  AuditedCall call{.method = request.method, .path = request.path, .peer = request.peer};
+  AuditedCall call{.method = request.method,
+                   .path = request.path,
+                   .peer = request.peer,
+                   .is_frequent = request.path.ends_with("/together")};
   const std::string token = net::bearer_token(request);
   if (token.empty()) {
     Caller anonymous{std::nullopt, audited(log_, std::move(call), std::move(respond))};

@@ -31,6 +31,7 @@ constexpr std::array kRoutes = {
                AdminCall::kRecordingMoment},
     AdminRoute{"GET", "/rooms/{room}/recordings/{recording}/parts/{part}",
                AdminCall::kRecordingPart},
+    AdminRoute{"POST", "/rooms/{room}/recordings/{recording}/together", AdminCall::kWatchTogether},
     AdminRoute{"PATCH", "/rooms/{room}/recordings/{recording}", AdminCall::kRenameRecording},
     AdminRoute{"DELETE", "/rooms/{room}/recordings/{recording}", AdminCall::kDeleteRecording},
     AdminRoute{"GET", "/rooms/{room}/recordings/{recording}/file", AdminCall::kRecordingFile},

@@ -36,6 +36,7 @@ enum class AdminCall {
   kMakeDownload,
   kRenameRecording,
   kDeleteRecording,
+  kWatchTogether,
   kDownload,
   kListTokens,
   kMakeToken,

@@ -8,6 +8,7 @@ import { duration } from '../panel/format';
 import { playbackTexts as texts } from '../recording_texts';
 import type { PlaybackCommand, PlaybackState, ViewFrame } from '../stream/protocol';
 import { SeekWatch } from './seek_watch';
+import { Together, type PartyAnswer, type Self, type TogetherEvents } from './together';
 
 const step_s = 0.1; // of the timeline by mouse; keys go by a second
 const keyStep_s = 1;
@@ -22,9 +23,22 @@ export interface PlaybackSound {
   awaitsGesture(): boolean;
 }
 
+/** The people who play this recording of a room. */
+export function partyOf(events: Omit<TogetherEvents, 'self'> & { room(): string; self(): Self & { token: string } }, recording: string): Together {
+  const path = `api/v1/rooms/${encodeURIComponent(events.room())}/recordings/${encodeURIComponent(recording)}/together`;
+  const ask = async (body: object): Promise<PartyAnswer> => {
+    const headers = { Authorization: `Bearer ${events.self().token}`, 'Content-Type': 'application/json' };
+    const response = await fetch(path, { method: 'POST', headers, body: JSON.stringify(body), signal: AbortSignal.timeout(5000) });
+    if (!response.ok) throw new Error(String(response.status));
+    return (await response.json()) as PartyAnswer;
+  };
+  return new Together(ask, events);
+}
+
 export class PlaybackBar {
   private readonly name = element('strong');
   private readonly date = element('span', { class: 'date' });
+  private readonly company = element('span', { class: 'company', role: 'status' });
   private readonly play = element('button', { type: 'button', class: 'main play' });
   private readonly time = element('span', { class: 'time' });
   private readonly line = element('input', { type: 'range', min: '0', step: String(step_s), 'aria-label': texts.position });
@@ -40,11 +54,12 @@ export class PlaybackBar {
 
   constructor(
     room: string,
-    private readonly control: (command: PlaybackCommand) => void,
+    private readonly apply: (command: PlaybackCommand) => void,
     private readonly sound: PlaybackSound,
+    private readonly together: Together,
   ) {
     const link = element('a', { href: `?room=${encodeURIComponent(room)}` }, texts.live);
-    const title = element('div', { class: 'title' }, this.name, this.date, link);
+    const title = element('div', { class: 'title' }, this.name, this.date, this.company, link);
     const speed = labelled(texts.speed, this.speed, 'speed');
     const loops = labelled(texts.loop, this.loops, 'loops');
     const controls = element('div', { class: 'controls' }, this.play, this.time, this.voicesField, speed, loops);
@@ -52,6 +67,12 @@ export class PlaybackBar {
     document.querySelector('main')!.append(bar);
     document.body.classList.add('playing');
     this.listen();
+    together.begin();
+  }
+
+  private control(command: PlaybackCommand): void {
+    this.together.wanted(command);
+    this.apply(command);
   }
 
   /** For tests. */
@@ -63,6 +84,8 @@ export class PlaybackBar {
   show(state: PlaybackState): void {
     this.state = state;
     this.watch.take(state);
+    this.together.show(state);
+    setText(this.company, this.together.names.length > 0 ? texts.together(this.together.names) : '');
     setText(this.name, state.name);
     setText(this.play, state.paused ? texts.play : texts.pause);
     this.line.max = String(state.length_s);

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plays a recording together with others: tells the hub where this person stands and what they want, shows where the
+// others stand, and follows what they want (docs/spec/playback.md).
+import { create } from '@bufbuild/protobuf';
+import { PoseSchema, ViewerEntrySchema, ViewerPoseSchema, type ViewerEntry, type ViewerPose } from '../gen/control_pb';
+import { playbackTexts as texts } from '../recording_texts';
+import type { PlainPose, PlaybackCommand, PlaybackState } from '../stream/protocol';
+
+const askEvery_ms = 200;
+const far_s = 2; // from the others: then it seeks
+const rest_ms = 10_000; // between two such seeks, for a page that is too slow
+const near_s = 0.3; // a seek that nobody would notice
+const firstId = 0x8000_0000; // beyond the people of the recording
+const colors = [0xe69f00, 0x56b4e9, 0x009e73, 0xf0e442, 0xcc79a7, 0xd55e00];
+
+export interface Playing {
+  position_s: number;
+  paused: boolean;
+  speed: number;
+}
+
+export interface PartyAnswer {
+  people: { id: number; name: string; head: number[] }[];
+  change: number;
+  by: string;
+  own: boolean;
+  playing: Playing;
+}
+
+export interface Self {
+  name: string;
+  head: PlainPose;
+}
+
+export interface TogetherEvents {
+  self(): Self;
+  people(viewers: ViewerEntry[], poses: ViewerPose[]): void;
+  control(command: PlaybackCommand): void;
+}
+
+export type AskParty = (body: object) => Promise<PartyAnswer>;
+
+export class Together {
+  names: string[] = [];
+  private readonly key = crypto.getRandomValues(new Uint8Array(16)).reduce((text, byte) => text + byte.toString(16).padStart(2, '0'), '');
+  private wants: Playing | undefined; // of this person, not told yet
+  private change = 0; // the last one that is known here
+  private state: PlaybackState | undefined;
+  private soughtAt_ms = -Infinity;
+
+  constructor(
+    private readonly ask: AskParty,
+    private readonly events: TogetherEvents,
+    private readonly now_ms: () => number = () => performance.now(),
+  ) {}
+
+  begin(): void {
+    const again = () => void this.visit().finally(() => setTimeout(again, askEvery_ms));
+    again();
+  }
+
+  show(state: PlaybackState): void {
+    this.state = state;
+  }
+
+  /** This person has done something. */
+  wanted({ seek_s, paused, speed }: PlaybackCommand): void {
+    const { state } = this;
+    if (!state || (seek_s === undefined && paused === undefined && speed === undefined)) return;
+    const before = this.wants ?? state;
+    this.wants = { position_s: seek_s ?? before.position_s, paused: paused ?? before.paused, speed: speed ?? before.speed };
+  }
+
+  /** A hub that does not answer, or is of an earlier version, leaves this person alone. */
+  async visit(): Promise<void> {
+    if (!this.state) return;
+    const { name, head } = this.events.self();
+    const { x, y, z, qx, qy, qz, qw } = head;
+    const { wants } = this;
+    const body = { key: this.key, name, head: [x, y, z, qx, qy, qz, qw], ...(wants && { wants }) };
+    const answer = await this.ask(body).catch(() => undefined);
+    if (!answer) return this.showOthers([]);
+    if (this.wants === wants) this.wants = undefined;
+    this.showOthers(answer.people);
+    this.follow(answer);
+  }
+
+  private showOthers(people: PartyAnswer['people']): void {
+    this.names = people.map(({ id, name }) => name || texts.somebody(id));
+    const viewers = people.map(({ id, name }) =>
+      create(ViewerEntrySchema, { id: firstId + id, name: texts.withYou(name || texts.somebody(id)), colorRgb: colors[id % colors.length]! }),
+    );
+    const poses = people.map(({ id, head: [x, y, z, qx, qy, qz, qw] }) =>
+      create(ViewerPoseSchema, { viewerId: firstId + id, head: create(PoseSchema, { x: x!, y: y!, z: z!, qx: qx!, qy: qy!, qz: qz!, qw: qw! }) }),
+    );
+    this.events.people(viewers, poses);
+  }
+
+  private follow({ change, own, playing }: PartyAnswer): void {
+    const isNew = change !== this.change;
+    this.change = change;
+    if (change === 0 || this.wants || !this.state) return;
+    const { length_s, loops, position_s, paused, speed, isWaiting } = this.state;
+    const goal_s = loops && length_s > 0 ? playing.position_s % length_s : Math.min(playing.position_s, length_s);
+    const off_s = Math.abs(goal_s - position_s);
+    if (isNew && !own) {
+      const seek = off_s > near_s ? { seek_s: goal_s } : {};
+      const isOther = playing.paused !== paused || playing.speed !== speed;
+      if (isOther || off_s > near_s) this.events.control({ ...seek, paused: playing.paused, speed: playing.speed });
+      return;
+    }
+    const atEnd = playing.position_s >= length_s;
+    const mayAgain = this.now_ms() - this.soughtAt_ms > rest_ms;
+    if (own || atEnd || isWaiting || playing.paused || off_s < far_s || !mayAgain) return;
+    this.soughtAt_ms = this.now_ms();
+    this.events.control({ seek_s: goal_s });
+  }
+}
