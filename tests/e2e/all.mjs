@@ -3,6 +3,7 @@
 import './blend.test.mjs';
 import './blocked.test.mjs';
 import './codec.test.mjs';
+import './gyroscope.test.mjs';
 import './late_join.test.mjs';
 import './marks.test.mjs';
 import './memory.test.mjs';

@@ -93,6 +93,7 @@ class Page {
       places: this.places.events,
       view: {
         reset: () => this.standpoint.goToStart(),
+        turn: (dYaw, dPitch) => this.standpoint.turn(dYaw, dPitch),
         share: () => ({ address: this.standpoint.share(), omitsToken: this.access.token !== '' }),
         picture: () => this.takePicture(),
         guide: (on) => this.link.guide(on),

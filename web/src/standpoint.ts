@@ -23,7 +23,7 @@ import { viewFromAbove, viewOfSensor } from './view/sensor_view';
 import { SurfacePick } from './view/surface_pick';
 import { keptFragment, sharedAddress, viewFragment, viewpointOf } from './view/view_address';
 import { reachOf } from './view/view_limits';
-import { viewFromMatrix, type ViewState } from './view/view_state';
+import { look, viewFromMatrix, type ViewState } from './view/view_state';
 
 export const startDistance_m = 3; // from a pose to the point that its owner looks at
 
@@ -92,6 +92,12 @@ export class Standpoint {
 
   set(view: ViewState): void {
     this.navigation.set(view);
+  }
+
+  /** With the device. Meanwhile the way to a place, or another person, decides. */
+  turn(dYaw: number, dPitch: number): void {
+    if (this.follow.whom !== undefined || this.navigation.isGliding) return;
+    this.navigation.set(look(this.current, dYaw, dPitch));
   }
 
   goToStart(): void {

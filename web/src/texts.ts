@@ -309,6 +309,13 @@ export const viewTexts = {
   omitsToken: 'Your token is not in it: whoever needs one to enter also needs a link of their own.',
 };
 
+export const gyroscopeTexts = {
+  button: 'Look by turning the phone',
+  insecure: 'Browsers tell how a phone is turned only to pages loaded over HTTPS.',
+  denied: 'The browser does not tell this page how the phone is turned. Permit it in the settings, and try again.',
+  none: 'This device does not tell how it is turned.',
+};
+
 export const progressTexts = {
   title: 'Loading the room',
   connecting: 'Connecting to the hub …',

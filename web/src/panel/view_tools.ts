@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Buttons for one's own view: back to the start, an address for others that opens it, full screen, a picture.
 import { guideTexts } from '../mark_texts';
-import { viewTexts as texts } from '../texts';
+import { Gyroscope } from '../gyroscope';
+import { gyroscopeTexts, viewTexts as texts } from '../texts';
 import { element, setText } from './element';
 import { labelled, textField } from './form';
 
@@ -12,6 +13,8 @@ export interface SharedView {
 
 export interface ViewToolEvents {
   reset(): void;
+  /** The device was turned. */
+  turn(dYaw: number, dPitch: number): void;
   share(): SharedView;
   /** A PNG of the view, and the name of its file; null where it cannot be drawn. */
   picture(): Promise<{ png: Blob; name: string } | null>;
@@ -40,6 +43,7 @@ export class ViewTools {
     this.full = this.add(texts.fullScreen, () => void this.switchFullScreen());
     this.full.hidden = !document.fullscreenEnabled;
     this.add(texts.save, () => void this.save());
+    if (Gyroscope.isOffered) this.offerGyroscope();
     this.guide = this.add(guideTexts.guide, () => events.guide(!this.guides));
     this.setGuide(false, false);
     document.addEventListener('fullscreenchange', () => this.showFullScreen());
@@ -51,6 +55,20 @@ export class ViewTools {
   setGuide(offered: boolean, on: boolean): void {
     this.guide.hidden = !offered;
     this.guide.setAttribute('aria-pressed', String(on));
+  }
+
+  private offerGyroscope(): void {
+    const gyroscope = new Gyroscope((dYaw, dPitch) => this.events.turn(dYaw, dPitch));
+    const button = this.add(gyroscopeTexts.button, () => {
+      const done = gyroscope.toggle();
+      const show = () => button.setAttribute('aria-pressed', String(gyroscope.isOn));
+      show();
+      void done.then((problem) => {
+        show();
+        setText(this.said, problem);
+      });
+    });
+    button.setAttribute('aria-pressed', 'false');
   }
 
   private get guides(): boolean {

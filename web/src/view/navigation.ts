@@ -70,6 +70,11 @@ export class Navigation {
     return this.view;
   }
 
+  /** It is on the way to a place. */
+  get isGliding(): boolean {
+    return this.glide !== undefined;
+  }
+
   /** At once. */
   set(view: ViewState): void {
     this.glide = undefined;
