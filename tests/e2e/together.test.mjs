@@ -77,8 +77,14 @@ describe('two people in one recording', () => {
     await ada.getByText(/Together with .*Cleo/).waitFor();
     await cleo.close();
     await ada.getByText('Together with Bob', { exact: true }).waitFor();
+    await ada.getByLabel('Together with Bob').uncheck();
+    await button(bob, 'Play').click();
+    await delay(1500);
+    assert.ok((await figures(ada)).paused, 'Ada is alone now');
+    await ada.getByLabel('Together with others').check();
+    await ada.getByText('Together with Bob', { exact: true }).waitFor();
     await other.end();
-    await until('Ada is alone', () => ada.locator('#playback .company').innerText(), (text) => text === '');
+    await until('Ada is alone', () => ada.locator('#playback .company').isHidden(), (isHidden) => isHidden);
     assert.deepEqual(ada.complaints, []);
   });
 });

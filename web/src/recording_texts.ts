@@ -51,6 +51,7 @@ export const playbackTexts = {
   somebody: (id: number) => `Person ${id}`,
   withYou: (name: string) => `${name} (with you)`,
   together: (names: string[]) => `Together with ${names.join(', ')}`,
+  togetherAgain: 'Together with others',
   voices: 'Voices',
   voicesAtOne: 'Voices are heard at speed 1 ×.',
   awaitsGesture: 'Click anywhere or press a key to hear the voices: browsers ask for that.',

@@ -38,7 +38,9 @@ export function partyOf(events: Omit<TogetherEvents, 'self'> & { room(): string;
 export class PlaybackBar {
   private readonly name = element('strong');
   private readonly date = element('span', { class: 'date' });
-  private readonly company = element('span', { class: 'company', role: 'status' });
+  private readonly company = element('span', { role: 'status' });
+  private readonly isTogether = checkbox(true);
+  private readonly companyField = element('label', { class: 'company', hidden: '' }, this.isTogether, this.company);
   private readonly play = element('button', { type: 'button', class: 'main play' });
   private readonly time = element('span', { class: 'time' });
   private readonly line = element('input', { type: 'range', min: '0', step: String(step_s), 'aria-label': texts.position });
@@ -59,7 +61,7 @@ export class PlaybackBar {
     private readonly together: Together,
   ) {
     const link = element('a', { href: `?room=${encodeURIComponent(room)}` }, texts.live);
-    const title = element('div', { class: 'title' }, this.name, this.date, this.company, link);
+    const title = element('div', { class: 'title' }, this.name, this.date, this.companyField, link);
     const speed = labelled(texts.speed, this.speed, 'speed');
     const loops = labelled(texts.loop, this.loops, 'loops');
     const controls = element('div', { class: 'controls' }, this.play, this.time, this.voicesField, speed, loops);
@@ -85,7 +87,9 @@ export class PlaybackBar {
     this.state = state;
     this.watch.take(state);
     this.together.show(state);
-    setText(this.company, this.together.names.length > 0 ? texts.together(this.together.names) : '');
+    const { names } = this.together;
+    this.companyField.hidden = names.length === 0 && this.isTogether.checked;
+    setText(this.company, names.length > 0 ? texts.together(names) : texts.togetherAgain);
     setText(this.name, state.name);
     setText(this.play, state.paused ? texts.play : texts.pause);
     this.line.max = String(state.length_s);
@@ -110,6 +114,7 @@ export class PlaybackBar {
 
   private listen(): void {
     const { line } = this;
+    this.isTogether.addEventListener('change', () => this.together.setOn(this.isTogether.checked));
     this.voices.addEventListener('change', () => this.sound.hear(this.voices.checked));
     this.play.addEventListener('click', () => this.toggle());
     this.speed.addEventListener('change', () => this.control({ speed: Number(this.speed.value) }));

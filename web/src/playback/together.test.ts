@@ -80,6 +80,19 @@ describe('playing together', () => {
     expect(done.length).toBe(2);
   });
 
+  test('leaves somebody alone who wants that', async () => {
+    const { together, said, done, seen, now } = party();
+    now.answer = { ...alone, people: [{ id: 4, name: 'Bob', head: [0, 1, 0, 0, 0, 0, 1] }], change: 2, playing: { position_s: 50, paused: true, speed: 1 } };
+    together.setOn(false);
+    await together.visit();
+    expect(said).toEqual([]);
+    expect(done).toEqual([]);
+    expect(seen).toEqual([[]]);
+    together.setOn(true);
+    await together.visit();
+    expect(done).toEqual([{ seek_s: 50, paused: true, speed: 1 }]);
+  });
+
   test('shows the others, and nobody while the hub is away', async () => {
     const { together, seen, now } = party();
     now.answer = { ...alone, people: [{ id: 4, name: 'Bob', head: [0, 1, 0, 0, 0, 0, 1] }] };

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plays a recording together with others: tells the hub where this person stands and what they want, shows where the
 // others stand, and follows what they want (docs/spec/playback.md).
-import { create } from '@bufbuild/protobuf';
-import { PoseSchema, ViewerEntrySchema, ViewerPoseSchema, type ViewerEntry, type ViewerPose } from '../gen/control_pb';
+import type { Pose, ViewerEntry, ViewerPose } from '../gen/control_pb';
 import { playbackTexts as texts } from '../recording_texts';
 import type { PlainPose, PlaybackCommand, PlaybackState } from '../stream/protocol';
 
@@ -47,12 +46,21 @@ export class Together {
   private change = 0; // the last one that is known here
   private state: PlaybackState | undefined;
   private soughtAt_ms = -Infinity;
+  private isOn = true;
 
   constructor(
     private readonly ask: AskParty,
     private readonly events: TogetherEvents,
     private readonly now_ms: () => number = () => performance.now(),
   ) {}
+
+  /** Off: this person plays it alone, and sees nobody. */
+  setOn(isOn: boolean): void {
+    this.isOn = isOn;
+    this.wants = undefined;
+    this.change = 0;
+    if (!isOn) this.showOthers([]);
+  }
 
   begin(): void {
     const again = () => void this.visit().finally(() => setTimeout(again, askEvery_ms));
@@ -73,12 +81,13 @@ export class Together {
 
   /** A hub that does not answer, or is of an earlier version, leaves this person alone. */
   async visit(): Promise<void> {
-    if (!this.state) return;
+    if (!this.state || !this.isOn) return;
     const { name, head } = this.events.self();
     const { x, y, z, qx, qy, qz, qw } = head;
     const { wants } = this;
     const body = { key: this.key, name, head: [x, y, z, qx, qy, qz, qw], ...(wants && { wants }) };
     const answer = await this.ask(body).catch(() => undefined);
+    if (!this.isOn) return;
     if (!answer) return this.showOthers([]);
     if (this.wants === wants) this.wants = undefined;
     this.showOthers(answer.people);
@@ -87,13 +96,7 @@ export class Together {
 
   private showOthers(people: PartyAnswer['people']): void {
     this.names = people.map(({ id, name }) => name || texts.somebody(id));
-    const viewers = people.map(({ id, name }) =>
-      create(ViewerEntrySchema, { id: firstId + id, name: texts.withYou(name || texts.somebody(id)), colorRgb: colors[id % colors.length]! }),
-    );
-    const poses = people.map(({ id, head: [x, y, z, qx, qy, qz, qw] }) =>
-      create(ViewerPoseSchema, { viewerId: firstId + id, head: create(PoseSchema, { x: x!, y: y!, z: z!, qx: qx!, qy: qy!, qz: qz!, qw: qw! }) }),
-    );
-    this.events.people(viewers, poses);
+    this.events.people(people.map(entryOf), people.map(poseOf));
   }
 
   private follow({ change, own, playing }: PartyAnswer): void {
@@ -115,4 +118,19 @@ export class Together {
     this.soughtAt_ms = this.now_ms();
     this.events.control({ seek_s: goal_s });
   }
+}
+
+type Person = PartyAnswer['people'][number];
+
+// As from a roster. They are written out because Protobuf’s own functions would be loaded with every page.
+
+function entryOf({ id, name }: Person): ViewerEntry {
+  const shown = texts.withYou(name || texts.somebody(id));
+  const usual = { hubsAway: 0, through: 0, relays: false, records: false, recordsVoices: false };
+  return { $typeName: 'roomcast.wire.pb.ViewerEntry', id: firstId + id, name: shown, colorRgb: colors[id % colors.length]!, ...usual };
+}
+
+function poseOf({ id, head: [x, y, z, qx, qy, qz, qw] }: Person): ViewerPose {
+  const head: Pose = { $typeName: 'roomcast.wire.pb.Pose', x: x!, y: y!, z: z!, qx: qx!, qy: qy!, qz: qz!, qw: qw! };
+  return { $typeName: 'roomcast.wire.pb.ViewerPose', viewerId: firstId + id, head };
 }
