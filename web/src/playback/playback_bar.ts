@@ -38,7 +38,7 @@ export function partyOf(events: Omit<TogetherEvents, 'self'> & { room(): string;
 export class PlaybackBar {
   private readonly name = element('strong');
   private readonly date = element('span', { class: 'date' });
-  private readonly company = element('span', { role: 'status' });
+  private readonly company = element('span');
   private readonly isTogether = checkbox(true);
   private readonly companyField = element('label', { class: 'company', hidden: '' }, this.isTogether, this.company);
   private readonly play = element('button', { type: 'button', class: 'main play' });
