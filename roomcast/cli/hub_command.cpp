@@ -166,13 +166,25 @@ std::unique_ptr<hub::daemon::CertificateWatch> watch_certificate(
                                                          take, reload, log);
 }
 
+hub::daemon::RoomRetention retention_of(std::int64_t days, std::int64_t gb) {
+  return {.max_age = std::chrono::days(days),
+          .max_bytes = static_cast<std::uint64_t>(gb) * 1'000'000'000};
+}
+
+hub::daemon::Retention retention_of(const hub::HubConfig& config) {
+  hub::daemon::Retention retention{.usual =
+                                       retention_of(config.recordings_days, config.recordings_gb)};
+  for (const auto& [room, kept] : config.recording_limits)
+    retention.rooms[room] = retention_of(kept.days.value_or(config.recordings_days),
+                                         kept.gb.value_or(config.recordings_gb));
+  return retention;
+}
+
 /// Null where no folder for recordings is configured.
 std::shared_ptr<hub::daemon::HubRecorders> make_recorders(
     const hub::HubConfig& config, const std::optional<std::filesystem::path>& data,
     const LogSink& log) {
-  const hub::daemon::Retention retention = {
-      .max_age = std::chrono::days(config.recordings_days),
-      .max_bytes = static_cast<std::uint64_t>(config.recordings_gb) * 1'000'000'000};
+  const hub::daemon::Retention retention = retention_of(config);
   if (!config.recordings.empty())
     return std::make_shared<hub::daemon::HubRecorders>(config.recordings, log, retention);
   return data ? std::make_shared<hub::daemon::HubRecorders>(*data / "recordings", log, retention)

@@ -99,6 +99,12 @@ test('recordings_are_deleted_when_they_are_older_than_configured', async (t) => 
   await hub.program.prints(/deleted the recording old/);
   assert.deepEqual(readdirSync(recordings).sort(), ['foreign.mcap', 'new.mcap']);
   assert.equal(await hub.program.stop(), 0, 'the hub does not wait for its next look');
+  copyFileSync(join(recordings, 'new.mcap'), join(recordings, 'old.mcap'));
+  utimesSync(join(recordings, 'old.mcap'), before, before);
+  writeFileSync(config, `recordings = "${recordings}"\n[limits]\nrecordings_days = 1000\n[[room]]\nname = "room"\nrecordings_days = 30\n`);
+  const other = await startHub(t, '--config', config, '--verbose');
+  await other.program.prints(/deleted the recording old/);
+  assert.equal(await other.program.stop(), 0);
   writeFileSync(config, '[limits]\nrecordings_days = -1\n');
   assertFailed(await run('hub', '--check', '--config', config), 2, /limits\.recordings_days is 0 to 1000000/);
 });

@@ -161,15 +161,39 @@ Json as_json(const toml::node& node) {
   return node.value<double>().value_or(0);
 }
 
+constexpr std::int64_t kMaxLimit = 1'000'000;
+
+/// Takes `field` out of a room's fields.
+Status take_limit(Json& room, const char* field, std::optional<std::int64_t>& limit) {
+  const auto found = room.find(field);
+  if (found == room.end()) return {};
+  if (!found->is_number_unsigned() || found->get<std::uint64_t>() > std::uint64_t{kMaxLimit})
+    return invalid_argument(std::string(field) + " of a room is 0 to " + std::to_string(kMaxLimit));
+  limit = found->get<std::int64_t>();
+  room.erase(found);
+  return {};
+}
+
+/// What the hub alone has to know of a room; the rest are its RoomSettings.
+Status take_recording_limits(Json& room, RecordingLimits& kept) {
+  if (!room.is_object()) return {};
+  if (auto status = take_limit(room, "recordings_days", kept.days); !status) return status;
+  return take_limit(room, "recordings_gb", kept.gb);
+}
+
 Status read_rooms(const toml::node& node, HubConfig& config) {
   const toml::array* rooms = node.as_array();
   if (rooms == nullptr) return invalid_argument("rooms are written as [[room]]" + in_line(node));
   for (const auto& room : *rooms) {
-    const Json json = as_json(room);
+    Json json = as_json(room);
+    RecordingLimits kept;
+    if (auto status = take_recording_limits(json, kept); !status)
+      return invalid_argument(status.error().message + in_line(room));
     const auto settings = changed({}, json);
     if (!settings) return invalid_argument(settings.error().message + in_line(room));
     if (!json.contains("name")) return invalid_argument("a room needs a name" + in_line(room));
     config.rooms.push_back(json.dump());
+    if (kept != RecordingLimits{}) config.recording_limits[settings->name] = kept;
   }
   return {};
 }
@@ -309,9 +333,9 @@ Status check(const HubConfig& config) {
     if (count == nullptr || !name.starts_with("limits.")) continue;
     const bool may_be_zero = name == "limits.ban_after" || name == "limits.busy_percent" ||
                              name.starts_with("limits.recordings_");  // off
-    if (config.*(*count) < (may_be_zero ? 0 : 1) || config.*(*count) > 1'000'000) {
-      return invalid_argument(std::string(name) + " is " + (may_be_zero ? "0" : "1") +
-                              " to 1000000");
+    if (config.*(*count) < (may_be_zero ? 0 : 1) || config.*(*count) > kMaxLimit) {
+      return invalid_argument(std::string(name) + " is " + (may_be_zero ? "0" : "1") + " to " +
+                              std::to_string(kMaxLimit));
     }
   }
   return {};

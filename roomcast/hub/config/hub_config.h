@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,12 @@
 #include "roomcast/hub/config/room_settings.h"
 
 namespace roomcast::hub {
+
+/// How long the recordings of one room are kept; nothing: as `limits` says.
+struct RecordingLimits {
+  std::optional<std::int64_t> days, gb;
+  friend bool operator==(const RecordingLimits&, const RecordingLimits&) = default;
+};
 
 struct HubConfig {
   std::string listen = "127.0.0.1:7600";
@@ -51,6 +58,7 @@ struct HubConfig {
   std::vector<std::string> nats_servers;                       // for sharing rooms with other hubs
   std::string nats_credentials, nats_ca, nats_cert, nats_key;  // files
   std::vector<std::string> rooms;  // each as the JSON of RoomSettings; omitted fields have defaults
+  std::map<std::string, RecordingLimits> recording_limits;  // by the room's name
 };
 
 /// "tls.cert" -> "ROOMCAST_HUB_TLS_CERT"

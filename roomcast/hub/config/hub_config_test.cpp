@@ -103,6 +103,21 @@ TEST(HubConfig, two_rooms_of_one_name_are_refused) {
           .ok());
 }
 
+TEST(HubConfig, a_room_may_keep_its_recordings_longer_or_shorter) {
+  const HubConfig config = parsed(
+      "[[room]]\nname = \"lab\"\nrecordings_days = 7\n[[room]]\nname = \"attic\"\n"
+      "recordings_days = 0\nrecordings_gb = 50\n[[room]]\nname = \"hall\"\n");
+  ASSERT_EQ(config.recording_limits.size(), 2u);
+  EXPECT_EQ(config.recording_limits.at("lab"), (RecordingLimits{.days = 7, .gb = {}}));
+  EXPECT_EQ(config.recording_limits.at("attic"), (RecordingLimits{.days = 0, .gb = 50}));
+  EXPECT_EQ(rooms_of(config, AccessRule::kAnyone)->size(), 3u);
+  for (const char* wrong : {"-1", "1000001", "\"7\"", "1.5"}) {
+    const std::string fault =
+        config_fault("[[room]]\nname = \"lab\"\nrecordings_days = " + std::string(wrong));
+    EXPECT_EQ(fault, "recordings_days of a room is 0 to 1000000 (line 1)") << wrong;
+  }
+}
+
 TEST(HubConfig, the_environment_overrides_the_file) {
   const std::map<std::string, std::string> set = {{"ROOMCAST_HUB_LISTEN", "[::1]:0"},
                                                   {"ROOMCAST_HUB_TLS_SELF_SIGNED", "true"},

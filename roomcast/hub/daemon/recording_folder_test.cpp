@@ -236,7 +236,7 @@ TEST_F(RecordingFolderTest, deletes_what_is_not_kept_longer) {
     std::filesystem::last_write_time(file(name), now - std::chrono::days(40));
   running_.insert(file("running"));
   const nanoseconds unix_now = recording::UnixClock().now();
-  const auto retained = retain({.max_age = std::chrono::days(30)}, unix_now);
+  const auto retained = retain({.usual = {.max_age = std::chrono::days(30)}}, unix_now);
   ASSERT_EQ(retained.deleted.size(), 2u);
   EXPECT_EQ(retained.unread, 0u);
   EXPECT_THAT(names(), ElementsAre("new", "running"));
@@ -250,8 +250,8 @@ TEST_F(RecordingFolderTest, keeps_a_room_within_its_size) {
                                    std::chrono::file_clock::now() - std::chrono::hours(1));
   const auto bytes = std::filesystem::file_size(file("second"));
   const nanoseconds now = recording::UnixClock().now();
-  EXPECT_TRUE(retain({.max_bytes = 3 * bytes}, now).deleted.empty());
-  EXPECT_EQ(retain({.max_bytes = bytes}, now).deleted.size(), 1u);
+  EXPECT_TRUE(retain({.usual = {.max_bytes = 3 * bytes}}, now).deleted.empty());
+  EXPECT_EQ(retain({.usual = {.max_bytes = bytes}}, now).deleted.size(), 1u);
   EXPECT_THAT(names(), ElementsAre("second"));
 }
 

@@ -17,8 +17,9 @@ std::vector<AgingRecording> outdated(std::vector<AgingRecording> recordings,
     if (recording.running) continue;
     std::uint64_t& bytes = bytes_of[recording.room];
     const auto age = std::chrono::duration_cast<std::chrono::days>(now - recording.ended_at);
-    const bool too_old = retention.max_age.count() > 0 && age >= retention.max_age;
-    const bool too_many = retention.max_bytes > 0 && bytes > retention.max_bytes;
+    const RoomRetention& limits = retention.of(recording.room);
+    const bool too_old = limits.max_age.count() > 0 && age >= limits.max_age;
+    const bool too_many = limits.max_bytes > 0 && bytes > limits.max_bytes;
     if (!too_old && !too_many) continue;
     bytes -= recording.bytes;
     deleted.push_back(recording);

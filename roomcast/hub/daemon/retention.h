@@ -3,7 +3,9 @@
 // their room has more than it may. Pure. Thread-safe (no state).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,12 +13,26 @@
 
 namespace roomcast::hub::daemon {
 
-/// Of each room; 0: no limit.
-struct Retention {
+/// Of one room; 0: no limit.
+struct RoomRetention {
   std::chrono::days max_age{0};  // since the end of a recording
   std::uint64_t max_bytes = 0;   // of all recordings together
 
   [[nodiscard]] bool any() const { return max_age.count() > 0 || max_bytes > 0; }
+};
+
+struct Retention {
+  RoomRetention usual = {};                         // of rooms without one of their own
+  std::map<std::string, RoomRetention> rooms = {};  // by name
+
+  [[nodiscard]] const RoomRetention& of(const std::string& room) const {
+    const auto found = rooms.find(room);
+    return found == rooms.end() ? usual : found->second;
+  }
+  [[nodiscard]] bool any() const {
+    return usual.any() ||
+           std::ranges::any_of(rooms, [](const auto& room) { return room.second.any(); });
+  }
 };
 
 struct AgingRecording {
