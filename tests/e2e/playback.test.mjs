@@ -171,8 +171,8 @@ describe('a recording in the page', () => {
   });
 
   test('is worked with one finger on a phone', slow, async () => {
-    await page.close();
-    await delay(6000); // then the phone is not taken along by the other page
+    await page.close(); // then the phone is not taken along by it
+    await delay(500);
     const phone = await startBrowser({ width: 390, height: 844, phone: true });
     const small = await play(name, '', phone.context);
     await untilAllShown(small, 2);

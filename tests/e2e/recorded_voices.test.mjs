@@ -143,6 +143,7 @@ describe('what is said in a room that is recorded', () => {
     const off_ms = [];
     for (const key of ['Home', 'ArrowRight', 'Home']) {
       await line.press(key);
+      await delay(1000); // the ear keeps the last 0.7 s, from before as well
       const [chirp] = await chirpTimes(() => ear(page), 1);
       const { now_ms, position_s } = await page.evaluate(() => ({
         now_ms: performance.timeOrigin + performance.now(),

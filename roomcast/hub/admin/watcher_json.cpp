@@ -68,6 +68,9 @@ Result<WatcherState> read_watcher(const std::string& body) {
       is_right = wire::check_name(watcher.name, "viewer").ok();
     } else if (field == "head") {
       is_right = has_head = read_head(value, watcher.head);
+    } else if (field == "leaves") {
+      is_right = value.is_boolean();
+      watcher.leaves = is_right && value.get<bool>();
     } else if (field == "wants") {
       is_right = read_playing(value, watcher.wants.emplace());
     }

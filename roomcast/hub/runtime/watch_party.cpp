@@ -10,8 +10,7 @@ namespace {
 
 double position_at(const Playing& playing, HostTime since, HostTime now) {
   if (playing.paused) return playing.position_s;
-  return playing.position_s +
-         playing.speed * std::chrono::duration<double>(now - since).count();
+  return playing.position_s + playing.speed * std::chrono::duration<double>(now - since).count();
 }
 
 }  // namespace
@@ -26,11 +25,17 @@ void WatchParties::forget_gone(HostTime now) {
 
 std::optional<WatchParties::View> WatchParties::visit(const std::string& recording,
                                                       WatcherState watcher, HostTime now) {
+  if (const auto party = parties_.find(recording); watcher.leaves && party != parties_.end()) {
+    std::erase_if(party->second.watchers,
+                  [&](const Watcher& known) { return known.state.key == watcher.key; });
+  }
   forget_gone(now);
+  if (watcher.leaves) return View{};
   if (!parties_.contains(recording) && parties_.size() == kMaxParties) return std::nullopt;
   Party& party = parties_[recording];
-  auto own = std::ranges::find(party.watchers, watcher.key,
-                               [](const Watcher& known) -> const std::string& { return known.state.key; });
+  auto own =
+      std::ranges::find(party.watchers, watcher.key,
+                        [](const Watcher& known) -> const std::string& { return known.state.key; });
   if (own == party.watchers.end()) {
     if (party.watchers.size() == kMaxWatchers) return std::nullopt;
     own = party.watchers.insert(own, Watcher{.state = {}, .id = next_id_++});

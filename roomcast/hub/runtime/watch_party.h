@@ -28,6 +28,7 @@ struct WatcherState {
   std::string name;  // may be empty
   std::array<float, 7> head = {0, 0, 0, 0, 0, 0, 1};  // x, y, z in metres, then a unit quaternion
   std::optional<Playing> wants = {};                  // this person has just sought, paused, ...
+  bool leaves = false;                                // the page goes away
 };
 
 class WatchParties {

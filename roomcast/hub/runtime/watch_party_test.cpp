@@ -55,6 +55,15 @@ TEST_F(WatchPartiesTest, who_does_not_ask_any_more_is_gone_and_so_is_a_party_of_
   EXPECT_EQ(visit("c", 20s).change, 0u);
 }
 
+TEST_F(WatchPartiesTest, who_leaves_is_gone_at_once) {
+  (void)visit("a", 0s, Playing{.position_s = 10});
+  EXPECT_TRUE(
+      parties.visit("r", {.key = "a", .name = "", .leaves = true}, after(100ms)).has_value());
+  const auto seen = visit("b", 200ms);
+  EXPECT_TRUE(seen.others.empty());
+  EXPECT_EQ(seen.change, 0u) << "nobody is left who wanted anything";
+}
+
 TEST_F(WatchPartiesTest, are_bounded) {
   for (std::size_t i = 0; i < WatchParties::kMaxWatchers; ++i) (void)visit(std::to_string(i), 0s);
   EXPECT_FALSE(parties.visit("r", {.key = "more", .name = ""}, after(0s)).has_value());

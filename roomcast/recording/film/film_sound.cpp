@@ -14,9 +14,9 @@ Status add_sound(const std::filesystem::path& film, const std::filesystem::path&
   std::filesystem::path part = film;
   part.replace_extension(".part.mp4");
   const std::vector<std::string> command = {
-      "ffmpeg", "-loglevel", "error", "-nostdin", "-y",   "-i",    film.string(), "-i", sound.string(),
-      "-map",   "0:v",       "-map",  "1:a",      "-c:v", "copy",  "-c:a",        "aac",
-      "-b:a",   "128k",      part.string()};
+      "ffmpeg", "-loglevel",    "error", "-nostdin", "-y",   "-i",         film.string(),
+      "-i",     sound.string(), "-map",  "0:v",      "-map", "1:a",        "-c:v",
+      "copy",   "-c:a",         "aac",   "-b:a",     "128k", part.string()};
   const auto pid = start_program(command, {.shares_stderr = true});
   if (!pid) return pid.error();
   const int state = wait_for_program(*pid);

@@ -26,9 +26,9 @@ export interface PlaybackSound {
 /** The people who play this recording of a room. */
 export function partyOf(events: Omit<TogetherEvents, 'self'> & { room(): string; self(): Self & { token: string } }, recording: string): Together {
   const path = `api/v1/rooms/${encodeURIComponent(events.room())}/recordings/${encodeURIComponent(recording)}/together`;
-  const ask = async (body: object): Promise<PartyAnswer> => {
+  const ask = async (body: object, keepalive = false): Promise<PartyAnswer> => {
     const headers = { Authorization: `Bearer ${events.self().token}`, 'Content-Type': 'application/json' };
-    const response = await fetch(path, { method: 'POST', headers, body: JSON.stringify(body), signal: AbortSignal.timeout(5000) });
+    const response = await fetch(path, { method: 'POST', headers, body: JSON.stringify(body), keepalive, signal: AbortSignal.timeout(5000) });
     if (!response.ok) throw new Error(String(response.status));
     return (await response.json()) as PartyAnswer;
   };

@@ -85,7 +85,7 @@ describe('playing together', () => {
     now.answer = { ...alone, people: [{ id: 4, name: 'Bob', head: [0, 1, 0, 0, 0, 0, 1] }], change: 2, playing: { position_s: 50, paused: true, speed: 1 } };
     together.setOn(false);
     await together.visit();
-    expect(said).toEqual([]);
+    expect(said).toMatchObject([{ leaves: true }]);
     expect(done).toEqual([]);
     expect(seen).toEqual([[]]);
     together.setOn(true);

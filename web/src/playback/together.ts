@@ -37,7 +37,8 @@ export interface TogetherEvents {
   control(command: PlaybackCommand): void;
 }
 
-export type AskParty = (body: object) => Promise<PartyAnswer>;
+/** `isLast`: the page goes away, and nobody waits for the answer. */
+export type AskParty = (body: object, isLast?: boolean) => Promise<PartyAnswer>;
 
 export class Together {
   names: string[] = [];
@@ -59,10 +60,23 @@ export class Together {
     this.isOn = isOn;
     this.wants = undefined;
     this.change = 0;
-    if (!isOn) this.showOthers([]);
+    if (isOn) return;
+    this.leave();
+    this.showOthers([]);
+  }
+
+  private leave(): void {
+    void this.ask({ ...this.body(), leaves: true }, true).catch(() => undefined);
+  }
+
+  private body() {
+    const { name, head } = this.events.self();
+    const { x, y, z, qx, qy, qz, qw } = head;
+    return { key: this.key, name, head: [x, y, z, qx, qy, qz, qw] };
   }
 
   begin(): void {
+    window.addEventListener('pagehide', () => this.leave());
     const again = () => void this.visit().finally(() => setTimeout(again, askEvery_ms));
     again();
   }
@@ -82,11 +96,8 @@ export class Together {
   /** A hub that does not answer, or is of an earlier version, leaves this person alone. */
   async visit(): Promise<void> {
     if (!this.state || !this.isOn) return;
-    const { name, head } = this.events.self();
-    const { x, y, z, qx, qy, qz, qw } = head;
     const { wants } = this;
-    const body = { key: this.key, name, head: [x, y, z, qx, qy, qz, qw], ...(wants && { wants }) };
-    const answer = await this.ask(body).catch(() => undefined);
+    const answer = await this.ask({ ...this.body(), ...(wants && { wants }) }).catch(() => undefined);
     if (!this.isOn) return;
     if (!answer) return this.showOthers([]);
     if (this.wants === wants) this.wants = undefined;
