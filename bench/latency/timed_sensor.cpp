@@ -2,17 +2,17 @@
 #include "bench/latency/timed_sensor.h"
 
 #include <atomic>
+#include <chrono>
 #include <deque>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include <boost/asio/steady_timer.hpp>
-
 #include "bench/latency/hub_address.h"
 #include "bench/sensor_fixture.h"
 #include "roomcast/client/hub_link.h"
 #include "roomcast/client/network_thread.h"
+#include "roomcast/net/timer.h"
 #include "roomcast/wire/frame_header.h"
 
 namespace roomcast::bench {
@@ -31,7 +31,7 @@ class TimedSensor::Link final : public client::HubLinkEvents {
   }
   ~Link() override {
     network_.finish([this] {
-      timer_.cancel();
+      timer_.stop();
       link_.stop();
     });
   }
@@ -39,7 +39,7 @@ class TimedSensor::Link final : public client::HubLinkEvents {
   void on_welcome(const wire::pb::Welcome& welcome) override {
     id_ = SensorId{static_cast<std::uint16_t>(welcome.sensor_id())};
     seq_ = 0;
-    timer_.expires_after(period_);
+    next_frame_at_ = std::chrono::steady_clock::now() + period_;
     make_frames();
   }
   void on_control(const wire::pb::Control&) override {}
@@ -57,11 +57,10 @@ class TimedSensor::Link final : public client::HubLinkEvents {
 
  private:
   void make_frames() {
-    timer_.async_wait([this](boost::system::error_code error) {
-      if (error) return;
+    timer_.once(next_frame_at_ - std::chrono::steady_clock::now(), [this] {
       frames_.push_back(make_frame());
       link_.wake();
-      timer_.expires_at(timer_.expiry() + period_);
+      next_frame_at_ += period_;
       make_frames();
     });
   }
@@ -89,7 +88,8 @@ class TimedSensor::Link final : public client::HubLinkEvents {
   std::uint32_t seq_ = 0;
   std::deque<net::FramedMessagePtr> frames_;
   client::NetworkThread network_;
-  boost::asio::steady_timer timer_;
+  net::Timer timer_;
+  std::chrono::steady_clock::time_point next_frame_at_;
   client::HubLink link_;
 };
 

@@ -7,8 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include <boost/asio/steady_timer.hpp>
-
 #include "bench/latency/latency_cases.h"
 #include "bench/latency/timed_sensor.h"
 #include "bench/link/emulated_link.h"
@@ -16,6 +14,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/hub/server/running_hub.h"
 #include "roomcast/net/hub_url.h"
+#include "roomcast/net/timer.h"
 #include "roomcast/net/websocket_client.h"
 #include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/control.h"
@@ -78,7 +77,7 @@ class Voice final : public net::ConnectionHandler, public std::enable_shared_fro
 
   void leave() {
     thread_.finish([this] {
-      timer_.cancel();
+      timer_.stop();
       if (connection_) connection_->close(net::close_code::kNormal, "");
     });
   }
@@ -107,13 +106,12 @@ class Voice final : public net::ConnectionHandler, public std::enable_shared_fro
   /// Begins to speak at the first message of the hub.
   void speak_once() {
     if (!speaks_ || std::exchange(is_speaking_, true)) return;
-    timer_.expires_after(0ms);
+    next_packet_at_ = std::chrono::steady_clock::now();
     speak_on();
   }
   void speak_on() {
-    timer_.expires_at(timer_.expiry() + kPacketInterval);
-    timer_.async_wait([this](boost::system::error_code error) {
-      if (error) return;
+    next_packet_at_ += kPacketInterval;
+    timer_.once(next_packet_at_ - std::chrono::steady_clock::now(), [this] {
       packet_ = spoken_packet(seq_++);
       connection_->wake();
       speak_on();
@@ -123,7 +121,8 @@ class Voice final : public net::ConnectionHandler, public std::enable_shared_fro
   const bool speaks_;
   client::NetworkThread thread_;
   std::shared_ptr<net::WebSocketConnection> connection_;
-  boost::asio::steady_timer timer_;
+  net::Timer timer_;
+  std::chrono::steady_clock::time_point next_packet_at_;
   bool has_joined_ = false, is_speaking_ = false;
   std::uint32_t seq_ = 0;
   net::FramedMessagePtr packet_;
