@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/sensor/instant_reporter.h"
 
-#include <cstddef>
 #include <utility>
 
 #include "roomcast/alignment/bundle/depth_instants.h"
@@ -11,21 +10,7 @@
 namespace roomcast::sensor {
 namespace {
 
-constexpr std::size_t kMinMovingBlocks = 12;  // about the size of a head 3 m away
 constexpr long long kMomentsPerStillOne = 8;  // while nothing moves, one moment in eight
-
-/// By the limits of depth_instants.h, but against what stands still.
-bool shows_motion(const DepthImage& blocks_mm, const DepthImage& steady_mm) {
-  const alignment::DepthInstantOptions limits;
-  std::size_t moving = 0;
-  for (int y = 0; y < blocks_mm.height(); ++y) {
-    for (int x = 0; x < blocks_mm.width(); ++x) {
-      const double z_m = 0.001 * blocks_mm.at(x, y), steady_m = 0.001 * steady_mm.at(x, y);
-      if (z_m > 0 && steady_m - z_m > limits.before_m + limits.before_per_depth * z_m) ++moving;
-    }
-  }
-  return moving >= kMinMovingBlocks;
-}
 
 }  // namespace
 
@@ -42,7 +27,8 @@ std::optional<wire::pb::DepthInstant> InstantReporter::add(const DepthImage& dep
   const DepthImage& blocks = instant.depth_mm;
   if (blocks.width() != steady_mm_.width() || blocks.height() != steady_mm_.height())
     return std::nullopt;
-  if (!shows_motion(blocks, steady_mm_) && moment % kMomentsPerStillOne != 0) return std::nullopt;
+  const bool moves = alignment::shows_motion(alignment::in_front_of(blocks, steady_mm_));
+  if (!moves && moment % kMomentsPerStillOne != 0) return std::nullopt;
   auto message = alignment::message_from_instant(instant);
   if (!message) return std::nullopt;  // its picture is too small
   return *std::move(message);

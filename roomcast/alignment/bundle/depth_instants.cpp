@@ -46,20 +46,6 @@ DepthImage background_of(std::span<const DepthInstant> instants, double rank) {
   return background;
 }
 
-MaskImage before(const DepthImage& depth_mm, const DepthImage& background_mm,
-                 const DepthInstantOptions& options) {
-  MaskImage mask(depth_mm.width(), depth_mm.height());
-  for (int y = 0; y < depth_mm.height(); ++y) {
-    for (int x = 0; x < depth_mm.width(); ++x) {
-      const double z_m = 0.001 * depth_mm.at(x, y);
-      const double nearer_m = 0.001 * background_mm.at(x, y) - z_m;
-      const double least_m = options.before_m + options.before_per_depth * z_m;
-      mask.at(x, y) = z_m > 0 && nearer_m > least_m ? 255 : 0;
-    }
-  }
-  return mask;
-}
-
 /// Without the blocks that few others adjoin.
 MaskImage without_edges(const MaskImage& mask, int min_neighbours) {
   MaskImage kept(mask.width(), mask.height());
@@ -87,12 +73,32 @@ DepthImage depth_in_blocks(const DepthImage& picture_mm) {
   return blocks;
 }
 
+MaskImage in_front_of(const DepthImage& blocks_mm, const DepthImage& background_mm,
+                      const DepthInstantOptions& options) {
+  MaskImage mask(blocks_mm.width(), blocks_mm.height());
+  for (int y = 0; y < blocks_mm.height(); ++y) {
+    for (int x = 0; x < blocks_mm.width(); ++x) {
+      const double z_m = 0.001 * blocks_mm.at(x, y);
+      const double nearer_m = 0.001 * background_mm.at(x, y) - z_m;
+      const double least_m = options.before_m + options.before_per_depth * z_m;
+      mask.at(x, y) = z_m > 0 && nearer_m > least_m ? 255 : 0;
+    }
+  }
+  return mask;
+}
+
+bool shows_motion(const MaskImage& mask) {
+  const auto blocks = mask.view();
+  const auto moving = std::count(blocks.data, blocks.data + blocks.pixel_count(), 255);
+  return static_cast<std::size_t>(moving) >= kMinMovingBlocks;
+}
+
 void mark_moving(std::span<DepthInstant> instants, const DepthInstantOptions& options) {
   if (instants.empty()) return;
   const DepthImage background_mm = background_of(instants, options.background_rank);
   for (DepthInstant& instant : instants)
-    instant.moving =
-        without_edges(before(instant.depth_mm, background_mm, options), options.min_neighbours);
+    instant.moving = without_edges(in_front_of(instant.depth_mm, background_mm, options),
+                                   options.min_neighbours);
 }
 
 std::vector<DepthInstant> depth_instants(std::span<const DepthImage> pictures_mm,

@@ -5,6 +5,7 @@
 // its repeats, where everything that stands still looks alike. Thread-safe (no state).
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,8 @@
 namespace roomcast::alignment {
 
 inline constexpr int kInstantBlock = 4;  // pixels
+/// Fewer are noise; a head 3 m away covers about as many.
+inline constexpr std::size_t kMinMovingBlocks = 12;
 
 struct DepthInstant {
   double time_s = 0;    // on a clock that the sensors of a rig share
@@ -41,6 +44,14 @@ struct DepthInstantOptions {
 
 /// Medians of the picture's blocks; 0 where less than half of a block has readings.
 [[nodiscard]] DepthImage depth_in_blocks(const DepthImage& picture_mm);
+
+/// 255 where a block is in front of the background, also alone: a first look at what moves. The
+/// pictures are of one size, in blocks.
+[[nodiscard]] MaskImage in_front_of(const DepthImage& blocks_mm, const DepthImage& background_mm,
+                                    const DepthInstantOptions& options = {});
+
+/// Whether at least kMinMovingBlocks of the mask are set.
+[[nodiscard]] bool shows_motion(const MaskImage& mask);
 
 /// Sets `moving` of all instants by their depth, which is of one size.
 void mark_moving(std::span<DepthInstant> instants, const DepthInstantOptions& options = {});

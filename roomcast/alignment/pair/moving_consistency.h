@@ -16,14 +16,14 @@ namespace roomcast::alignment {
 
 /// By hand, from the sizes of people, who are 0.25 m thick and walk 1.5 m/s.
 struct MovingConsistencyOptions {
-  double max_apart_s = 0.06;    // instants further apart are not the same
-  float same_thing_m = 0.35F;   // sensors may see opposite sides of a person
-  float behind_m = 0.35F;       // the other looks through a place if all that it sees is further
-  float reach_m = 0.2F;         // around the place, across the line of sight
-  float min_seen = 0.7F;        // share of the blocks within reach that have a reading
-  std::size_t points = 80;      // of each instant, about
-  std::size_t min_blocks = 12;  // that move, for the instant to count
-  int max_reach_blocks = 12;    // for time
+  double max_apart_s = 0.06;   // instants further apart are not the same
+  float same_thing_m = 0.35F;  // sensors may see opposite sides of a person
+  float behind_m = 0.35F;      // the other looks through a place if all that it sees is further
+  float reach_m = 0.2F;        // around the place, across the line of sight
+  float min_seen = 0.7F;       // share of the blocks within reach that have a reading
+  std::size_t points = 80;     // of each instant, about
+  std::size_t min_blocks = kMinMovingBlocks;  // that move, for the instant to count
+  int max_reach_blocks = 12;                  // for time
 
   template <class Visit>
   void for_each_field(Visit visit) const {

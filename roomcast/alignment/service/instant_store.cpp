@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/alignment/service/instant_store.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -13,13 +12,6 @@ namespace roomcast::alignment {
 namespace {
 
 constexpr double kNanosecondsPerSecond = 1e9;
-constexpr std::size_t kMinMovingBlocks = 12;  // as MovingConsistencyOptions: something moves
-
-bool shows_motion(const DepthInstant& instant) {
-  const auto moving = instant.moving.view();
-  return static_cast<std::size_t>(
-             std::count(moving.data, moving.data + moving.pixel_count(), 255)) >= kMinMovingBlocks;
-}
 
 }  // namespace
 
@@ -45,12 +37,14 @@ Result<wire::pb::DepthInstant> message_from_instant(const DepthInstant& instant)
 void InstantStore::add(const std::string& sensor, DepthInstant instant, double depth_scale) {
   std::deque<Entry>& entries = entries_[sensor];
   entries.push_back({std::move(instant), depth_scale});
+  is_counted_ = false;
   if (entries.size() > kMaxInstants) entries.pop_front();
 }
 
 void InstantStore::forget(const std::string& sensor) {
   entries_.erase(sensor);
   shared_.clear();
+  is_counted_ = false;
 }
 
 std::vector<DepthInstant> InstantStore::of(const std::string& sensor, double depth_scale) const {
@@ -67,11 +61,12 @@ std::vector<DepthInstant> InstantStore::of(const std::string& sensor, double dep
 }
 
 std::size_t InstantStore::shared_moments() {
+  if (std::exchange(is_counted_, true)) return shared_.size();
   std::map<long long, int> seen_by;
   for (const auto& [sensor, entries] : entries_) {
     std::set<long long> moments;
     for (const DepthInstant& instant : of(sensor, 1)) {
-      if (shows_motion(instant)) moments.insert(moment_of(instant.time_s));
+      if (shows_motion(instant.moving)) moments.insert(moment_of(instant.time_s));
     }
     for (const long long moment : moments) ++seen_by[moment];
   }

@@ -47,6 +47,7 @@ class InstantStore {
   };
   std::map<std::string, std::deque<Entry>> entries_;
   std::set<long long> shared_;  // moments, in units of their interval
+  bool is_counted_ = false;     // `shared_` is of all entries
 };
 
 }  // namespace roomcast::alignment

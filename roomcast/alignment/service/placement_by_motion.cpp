@@ -20,7 +20,13 @@ constexpr double kDoubtsCalibration = 0.25;
 }  // namespace
 
 void PlacementSolver::see(const std::string& sensor, DepthInstant instant, double depth_scale) {
-  if (bundles_.contains(sensor)) instants_.add(sensor, std::move(instant), depth_scale);
+  const auto bundle = bundles_.find(sensor);
+  if (bundle == bundles_.end()) return;
+  // A sensor that has come back with another camera has not sent its bundle yet.
+  const CameraIntrinsics& camera = bundle->second.calibration.depth;
+  const bool is_of_bundle = instant.depth_mm.width() == camera.width / kInstantBlock &&
+                            instant.depth_mm.height() == camera.height / kInstantBlock;
+  if (is_of_bundle) instants_.add(sensor, std::move(instant), depth_scale);
 }
 
 bool PlacementSolver::wants_instants() const {

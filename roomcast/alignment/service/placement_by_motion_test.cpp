@@ -149,5 +149,36 @@ TEST(PlacementByMotion, an_estimate_that_motion_contradicts_does_not_stay) {
   }
 }
 
+TEST(PlacementByMotion, instants_of_another_camera_are_left_out) {
+  PlacementSolver placing;
+  placing.add(kExactSensor.bundle(1));
+  placing.add(kNearSensor.bundle(1));
+  placing.add(without_pattern(sensor_in_corridor("lost", kExactStand).bundle(1)));
+  const auto placements = placing.solve({});
+  ASSERT_TRUE(placing.wants_instants());
+  walk_through(placing, kExactSensor);
+  // Its sensor came back with a smaller camera, whose bundle is still to come.
+  for (int i = 0; i < kWalkSteps; ++i) {
+    DepthInstant smaller = kNearSensor.instant(i);
+    smaller.depth_mm = DepthImage(smaller.depth_mm.width() / 2, smaller.depth_mm.height() / 2, 900);
+    placing.see(kNearSensor.name, std::move(smaller), 1);
+  }
+  EXPECT_FALSE(placing.has_new_instants());
+
+  // The bundle comes, with another factor besides.
+  CalibrationBundle bundle = kNearSensor.bundle(1.02);
+  bundle.calibration.depth.width /= 2;
+  bundle.calibration.depth.height /= 2;
+  bundle.calibration.depth.cx /= 2;
+  bundle.calibration.depth.cy /= 2;
+  bundle.calibration.depth.fx /= 2;
+  bundle.calibration.depth.fy /= 2;
+  bundle.depth_mm = depth_fixture(kNearSensor.room, bundle.calibration.depth, kScaledStand);
+  walk_through(placing, kNearSensor);
+  placing.add(bundle);
+  EXPECT_FALSE(placing.has_new_instants()) << "what it saw before was with another camera";
+  (void)placing.solve(room_as_placed(placements));
+}
+
 }  // namespace
 }  // namespace roomcast::alignment

@@ -57,7 +57,8 @@ std::vector<Placement> with_verified(std::vector<Placement> placements,
 void PlacementSolver::add(const alignment::CalibrationBundle& bundle) {
   const auto before = bundles_.find(bundle.name);
   const bool is_rescaled = before != bundles_.end() && bundle.depth_scale &&
-                           before->second.depth_scale != bundle.depth_scale;
+                           before->second.depth_scale != bundle.depth_scale &&
+                           before->second.calibration.depth == bundle.calibration.depth;
   if (is_rescaled) {
     walks_.forget(bundle.name);
     boards_.forget(bundle.name);
