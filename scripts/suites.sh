@@ -6,7 +6,9 @@ passed=0
 failed=0
 skipped=0
 skipped_tests=()
+failed_tests=()
 readonly shown_failure_lines=100
+readonly shown_name_characters=300  # of a failed test in the summary
 
 # Each reader converts a suite's report to: passed failed skipped.
 read_junit() {
@@ -38,6 +40,18 @@ skipped_in_tap() {
 
 # The end of CTest's log lists what failed.
 failed_in_junit() { :; }
+
+names_of_failed_in_junit() {
+  sed -n 's/^.*<testcase name="\([^"]*\)".* status="fail".*$/\1/p' "$1"
+}
+
+# The name of each failed test and the beginning of its message, without tests that failed because of nested ones.
+names_of_failed_in_tap() {
+  failed_in_tap "$1" | awk '
+    /^ *not ok / {sub(/^ *not ok [0-9]* - /, ""); name = $0}
+    /^ *error:/ {follows = /\|-$/; if (!follows) {sub(/^ *error: */, ""); print name ": " $0}; next}
+    follows {sub(/^ */, ""); print name ": " $0; follows = 0}' | cut -c "1-$shown_name_characters"
+}
 
 # Each failed test with its message, except for those that failed only because of nested tests.
 failed_in_tap() {
@@ -77,17 +91,25 @@ count_suite() {
     why=$("failed_in_$kind" "$report" 2>/dev/null | head -n "$shown_failure_lines")
     if [[ -n $why ]]; then sed 's/^/  | /' <<<"$why" >&2; else show_end_of_log; fi
     say "the whole log: ${step_log#"$root"/}"
+    mapfile -t lines < <("names_of_failed_in_$kind" "$report" 2>/dev/null)
+    ((${#lines[@]} > 0)) || lines=("a whole suite: ${step_log#"$root"/}")
+    failed_tests+=("${lines[@]}")
   fi
   passed=$((passed + counts[0]))
   failed=$((failed + counts[1]))
   skipped=$((skipped + counts[2]))
 }
 
-# The last line is read by machines: "N passed, N failed, N skipped".
+# The last line is read by machines: "N passed, N failed, N skipped". What failed stands right before it, for readers
+# of a log of which only the end is kept.
 sum_up() {
   if ((${#skipped_tests[@]} > 0)); then
     printf '\nskipped:\n'
     printf '  %s\n' "${skipped_tests[@]}"
+  fi
+  if ((${#failed_tests[@]} > 0)); then
+    printf '\nfailed:\n'
+    printf '  %s\n' "${failed_tests[@]}"
   fi
   printf '\n%d passed, %d failed, %d skipped\n' "$passed" "$failed" "$skipped"
   ((passed > 0 && failed == 0))

@@ -24,11 +24,11 @@ export function requireBuilt() {
   if (!existsSync(`${webFolder}/index.html`)) throw new Error(`there is no page in ${webFolder}; run npm run build`);
 }
 
-const started = [];
+const running = new Set();
 
-/** The last output lines of every program of this test run, for the message of a failed test. */
+/** The last output lines of every program that runs, for the message of a failed test. */
 export function whatProgramsSaid() {
-  return started.map(({ name, lines }) => `${name}: ${lines.slice(-8).join(' | ')}`).join('\n');
+  return [...running].map(({ name, lines }) => `${name}: ${lines.slice(-8).join(' | ')}`).join('\n');
 }
 
 /** One running program: its last output lines, and a way to end it. */
@@ -37,8 +37,8 @@ class Program {
     this.name = name;
     this.lines = [];
     this.child = spawn(binary, args, { env, stdio: ['ignore', 'pipe', 'pipe'] });
-    started.push(this);
-    this.ended = once(this.child, 'close');
+    running.add(this);
+    this.ended = once(this.child, 'close').finally(() => running.delete(this));
     this.printed = '';
     this.child.stdout.on('data', (text) => (this.printed = (this.printed + text).slice(-kept_bytes)));
     for (const stream of [this.child.stdout, this.child.stderr]) {
