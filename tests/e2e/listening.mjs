@@ -29,11 +29,17 @@ export function listenIn() {
   };
 }
 
-/** Page times, ms, at which chirps begin in what `ask` returns, for as long as it takes to find `count`. */
-export async function chirpTimes(ask, count) {
+/**
+ * Page times, ms, at which chirps begin in what `ask` returns, for as long as it takes to find `count`; or until the
+ * promise `over` is settled.
+ */
+export async function chirpTimes(ask, count, over = undefined) {
   const times = [];
   const deadline = Date.now() + 60_000;
-  while (times.length < count && Date.now() < deadline) {
+  let isOver = false;
+  const end = () => (isOver = true);
+  void over?.then(end, end);
+  while (times.length < count && !isOver && Date.now() < deadline) {
     const { samples, end_ms, out_s } = await ask();
     const { at, likeness } = findChirp(samples);
     const time_ms = end_ms - (1000 * (samples.length - at)) / rate_hz;

@@ -15,6 +15,7 @@ const writer = join(dirname(binary), 'roomcast_azure_recordings');
 const fps = 6;
 const worst_m = 0.03;
 const worst_deg = 0.6;
+const alignedWithin_ms = 150_000; // the aligner gives way to all else that a busy machine does
 
 const folder = mkdtempSync(join(tmpdir(), 'roomcast-recordings-'));
 const rig = join(folder, 'rig');
@@ -45,7 +46,7 @@ describe('a room of two .mkv recordings', { skip: existsSync(writer) ? false : `
     await run('simulate', rig, ...room, '--seconds', '3', '--fps', String(fps), '--views', '0');
     execFileSync(writer, [rig, folder]);
     demo = await startDemo(`mkv:${join(folder, 's0.mkv')}`, `mkv:${join(folder, 's1.mkv')}`);
-    browser = await startBrowser();
+    browser = await startBrowser({ width: 480, height: 320 });
     page = await openPage(browser.context, `${demo.page}?panel=0&at=0,1.7,2&look=0,0.9,-1`);
   }, slow);
 
@@ -58,13 +59,13 @@ describe('a room of two .mkv recordings', { skip: existsSync(writer) ? false : `
   test('is joined by the cable and seen: each sensor at pixels of its own', slow, async () => {
     await untilAllShown(page, 2);
     assert.ok(demo.lines.some((line) => /the recordings are joined by/.test(line)), demo.lines.join('\n'));
-    for (const { id, only } of await coverageOf(page)) assert.ok(only > 500, `sensor ${id} alone covers ${only} pixels`);
+    for (const { id, only } of await coverageOf(page)) assert.ok(only > 200, `sensor ${id} alone covers ${only} pixels`);
     assert.deepEqual(page.complaints, []);
   });
 
   test('is aligned as the room was', slow, async () => {
     const areEstimated = (sensors) => sensors.length === 2 && sensors.every(({ source }) => source === 'estimated');
-    const sensors = await until('two estimated poses', () => sensorsOf(page), areEstimated);
+    const sensors = await until('two estimated poses', () => sensorsOf(page), areEstimated, alignedWithin_ms);
     const truth = JSON.parse(readFileSync(join(rig, 'rig.json'), 'utf8')).sensors;
     const [a, b] = ['s0', 's1'].map((name) => sensors.find((sensor) => sensor.name === name).worldFromDepth);
     const { metres, degrees } = difference(between(a, b), between(truth[0].world_from_depth, truth[1].world_from_depth));
