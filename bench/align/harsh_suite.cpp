@@ -72,7 +72,7 @@ void judge_what_was_said(const std::vector<HarshEntry>& entries,
     const JudgedPair pair{*entries[first].seen, *entries[i].seen, report.sensors[first],
                           report.sensors[i]};
     const double error_mm = 1000 * alignment::difference(*pair.found(), pair.truth()).distance_m;
-    // What is said of the rig's origin is 0, whichever of the two it is.
+    // The report says 0 of the rig's origin, which may be either of the two sensors.
     const double said_mm = std::hypot(pair.of_a.expected_error_mm, pair.of_b.expected_error_mm);
     row.ratios.push_back(error_mm / std::max(0.01, said_mm));
   }
