@@ -201,6 +201,25 @@ std::vector<std::string> format_names() {
   return names;
 }
 
+constexpr const char* kExportFooter =
+    "ply and pcd: set_NNNNNN files, the merged cloud of all placed sensors with colours and "
+    "normals.\n"
+    "gltf: set_NNNNNN.glb, a textured mesh for each sensor. rig: a folder for each sensor.\n"
+    "tum: the same with each sensor's poses in groundtruth.txt; depth in millimetres.\n"
+    "mesh: room.glb, or .ply and .obj, of all that stands still: all sensors and frames fused.\n"
+    "foxglove: room.mcap with point clouds, depth, VP9 video, calibrations and transforms.\n"
+    "video: film.mp4 by ffmpeg, or pictures where that is not installed; --path FILE is\n"
+    "{\"keys\": [{\"time_s\": 0, \"at\": [x,y,z], \"look\": [x,y,z]}, ...]}.\n"
+    "wav: voices.wav, what people say, and voices.csv with who speaks when.\n"
+    "After an interruption the same command continues ply, pcd and gltf and keeps complete "
+    "files;\n"
+    "the other formats start again and need a new folder.\n"
+    "Examples:\n"
+    "  roomcast export lab.mcap --format ply --out clouds --every 30 --voxel 0.01\n"
+    "  roomcast export lab.mcap --format mesh --out mesh --mesh-files glb,ply\n"
+    "  roomcast export lab.mcap --format video --out film --path walk.json\n"
+    "  roomcast export lab.mcap --format wav --out voices --per-person";
+
 }  // namespace
 
 void add_export_command(CLI::App& app, Command& chosen) {
@@ -246,24 +265,7 @@ void add_export_command(CLI::App& app, Command& chosen) {
   add_film_options(*command, options->film);
   add_sound_options(*command, options->sound);
   command->add_flag("--json", options->json, "Print JSON");
-  command->footer(
-      "ply and pcd: set_NNNNNN files, the merged cloud of all placed sensors with colours and "
-      "normals.\n"
-      "gltf: set_NNNNNN.glb, a textured mesh for each sensor. rig: a folder for each sensor.\n"
-      "tum: the same with each sensor's poses in groundtruth.txt; depth in millimetres.\n"
-      "mesh: room.glb, or .ply and .obj, of all that stands still: all sensors and frames fused.\n"
-      "foxglove: room.mcap with point clouds, depth, VP9 video, calibrations and transforms.\n"
-      "video: film.mp4 by ffmpeg, or pictures where that is not installed; --path FILE is\n"
-      "{\"keys\": [{\"time_s\": 0, \"at\": [x,y,z], \"look\": [x,y,z]}, ...]}.\n"
-      "wav: voices.wav, what people say, and voices.csv with who speaks when.\n"
-      "After an interruption the same command continues ply, pcd and gltf and keeps complete "
-      "files;\n"
-      "the other formats start again and need a new folder.\n"
-      "Examples:\n"
-      "  roomcast export lab.mcap --format ply --out clouds --every 30 --voxel 0.01\n"
-      "  roomcast export lab.mcap --format mesh --out mesh --mesh-files glb,ply\n"
-      "  roomcast export lab.mcap --format video --out film --path walk.json\n"
-      "  roomcast export lab.mcap --format wav --out voices --per-person");
+  command->footer(kExportFooter);
   command->callback([options, &chosen] {
     chosen = [options] { return finish("export", run_export(*options)); };
   });

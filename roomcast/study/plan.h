@@ -90,6 +90,9 @@ struct ReadPlan {
 
 [[nodiscard]] ReadPlan read_plan(std::string_view toml);
 
+/// `file`: where the text is from, for errors. kMalformed as load_plan().
+[[nodiscard]] Result<StudyPlan> plan_of(std::string_view toml, const std::filesystem::path& file);
+
 /// kNotFound, kTooLarge; kMalformed with the first fault, as "FILE, line N: ...".
 [[nodiscard]] Result<StudyPlan> load_plan(const std::filesystem::path& file);
 

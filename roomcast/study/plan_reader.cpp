@@ -357,7 +357,11 @@ ReadPlan read_plan(std::string_view toml) {
 Result<StudyPlan> load_plan(const std::filesystem::path& file) {
   std::vector<std::uint8_t> bytes;
   if (auto status = io::read_file(file, kMaxPlanBytes, bytes); !status) return status.error();
-  ReadPlan read = read_plan({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return plan_of({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file);
+}
+
+Result<StudyPlan> plan_of(std::string_view toml, const std::filesystem::path& file) {
+  ReadPlan read = read_plan(toml);
   if (read.faults.empty()) return std::move(read.plan);
   const auto& [line, sentence] = read.faults.front();
   return Error{ErrorCode::kMalformed,

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "roomcast/core/csv_field.h"
 #include "roomcast/study/log_records.h"
 
 namespace roomcast::study {
@@ -122,9 +123,8 @@ std::optional<std::string> condition_after(const Json& record) {
   return record.at("begins") == true ? record.at("name").get<std::string>() : std::string();
 }
 
-double write_session(const std::string& id, const std::vector<Json>& records, CsvFiles& files) {
+void write_session(const std::string& id, const std::vector<Json>& records, CsvFiles& files) {
   std::string condition;
-  double last_s = 0;
   for (const Json& record : records) {
     const LogKind& kind = *find_kind(record.at("kind").get_ref<const std::string&>());
     const auto change = condition_after(record);
@@ -133,33 +133,10 @@ double write_session(const std::string& id, const std::vector<Json>& records, Cs
     for (const LogField& field : kind.fields) cells.push_back(cell(record.at(field.name)));
     files.row(file_of(kind), cells);
     if (change && change->empty()) condition.clear();  // its end is still within it
-    last_s = std::max(last_s, record.at("t").get<double>());
   }
-  return last_s;
-}
-
-std::size_t ended_steps(const std::vector<Json>& records) {
-  std::size_t steps = 0;
-  for (const Json& record : records) {
-    if (record.at("kind") == "steps" && record.at("begins") == false)
-      steps = std::max(steps, record.at("step").get<std::size_t>() + 1);
-  }
-  return steps;
 }
 
 }  // namespace
-
-std::string csv_field(const std::string& text) {
-  std::string field;
-  const bool is_formula =
-      !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos;
-  if (is_formula) field += '\'';
-  field += text;
-  if (field.find_first_of("\",\r\n'") == std::string::npos) return field;
-  std::string quoted = "\"";
-  for (const char c : field) quoted.append(c == '"' ? 2 : 1, c);
-  return quoted + "\"";
-}
 
 Result<StudyExport> export_csv(const StudyFolder& study, const fs::path& out) {
   std::error_code error;
@@ -175,15 +152,15 @@ Result<StudyExport> export_csv(const StudyFolder& study, const fs::path& out) {
   for (const std::string& id : study.participants()) {
     const auto person = study.participant(id);
     if (!person) return person.error();
-    const auto records = study.records(id);
-    if (!records) return records.error();
-    const double seconds = write_session(id, *records, files);
+    const auto log = study.log(id);
+    if (!log) return log.error();
+    write_session(id, log->records, files);
     std::string order;
     for (const std::string& name : person->order) order += (order.empty() ? "" : " ") + name;
     files.row("participants.csv",
               {id, std::to_string(person->number), person->consented_at,
                person->plan_sha256.substr(0, 16), csv_field(order),
-               std::to_string(ended_steps(*records)), fmt::format("{:.3f}", seconds)});
+               std::to_string(log->progress.steps), fmt::format("{:.3f}", log->progress.t)});
     ++done.participants;
   }
   if (auto status = files.finish(done.rows); !status) return status.error();

@@ -23,8 +23,4 @@ struct StudyExport {
 [[nodiscard]] Result<StudyExport> export_csv(const StudyFolder& study,
                                              const std::filesystem::path& out);
 
-/// A field of a CSV file: in quotation marks where it needs them, and never a formula to a
-/// spreadsheet.
-[[nodiscard]] std::string csv_field(const std::string& text);
-
 }  // namespace roomcast::study

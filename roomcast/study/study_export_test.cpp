@@ -81,13 +81,5 @@ TEST_F(StudyExportTest, writes_over_no_folder) {
   EXPECT_EQ(export_csv(study, folder / "csv").error().code, ErrorCode::kUnavailable);
 }
 
-TEST(CsvField, is_quoted_where_needed_and_no_formula) {
-  EXPECT_EQ(csv_field("plain"), "plain");
-  EXPECT_EQ(csv_field("a,b"), "\"a,b\"");
-  EXPECT_EQ(csv_field("two\nlines"), "\"two\nlines\"");
-  EXPECT_EQ(csv_field("=1+1"), "\"'=1+1\"");
-  EXPECT_EQ(csv_field(""), "");
-}
-
 }  // namespace
 }  // namespace roomcast::study

@@ -246,9 +246,9 @@ StudyFolder::Log StudyFolder::read_log(const std::string& id) const {
   return log;
 }
 
-Result<std::vector<Json>> StudyFolder::records(const std::string& id) const {
+Result<StudyFolder::Log> StudyFolder::log(const std::string& id) const {
   if (const auto known = participant(id); !known) return known.error();
-  return read_log(id).records;
+  return read_log(id);
 }
 
 Result<StudyFolder::Progress> StudyFolder::progress(const std::string& id) {

@@ -66,8 +66,12 @@ class StudyFolder {
   };
   [[nodiscard]] Result<Progress> progress(const std::string& id);
 
-  /// What was logged. A batch that was cut off by a crash is left out.
-  [[nodiscard]] Result<std::vector<nlohmann::json>> records(const std::string& id) const;
+  struct Log {
+    std::vector<nlohmann::json> records;
+    Progress progress;
+  };
+  /// What was logged. A batch that was cut off by a crash is left out. Errors of participant().
+  [[nodiscard]] Result<Log> log(const std::string& id) const;
 
   /// Removes all of a participant, for good. kNotFound.
   [[nodiscard]] Status erase(const std::string& id, nanoseconds now);
@@ -80,10 +84,6 @@ class StudyFolder {
       : folder_(std::move(folder)), study_(std::move(study)) {}
   [[nodiscard]] std::filesystem::path folder_of(const std::string& id) const;
   [[nodiscard]] std::size_t next_number() const;
-  struct Log {
-    std::vector<nlohmann::json> records;
-    Progress progress;
-  };
   [[nodiscard]] Log read_log(const std::string& id) const;
   static void count(const nlohmann::json& record, Progress& progress);
 

@@ -53,7 +53,7 @@ TEST_F(StudyFolderTest, takes_each_batch_once_and_knows_how_far_a_session_is) {
     EXPECT_EQ(progress->batch, 2u);
     EXPECT_EQ(progress->steps, 1u);
     EXPECT_EQ(progress->t, 60);
-    EXPECT_EQ(known->records("P001")->size(), 3u);
+    EXPECT_EQ(known->log("P001")->records.size(), 3u);
   }
 }
 
@@ -66,9 +66,9 @@ TEST_F(StudyFolderTest, a_batch_that_a_crash_cut_off_counts_when_it_comes_again)
   std::ofstream(path / "participants/P001/log.jsonl", std::ios::app)
       << speech(2, false).dump() << "\n{\"kind\": \"spee\n";
   auto study = *StudyFolder::open(path);
-  EXPECT_EQ(study.records("P001")->size(), 1u);
+  EXPECT_EQ(study.log("P001")->records.size(), 1u);
   ASSERT_TRUE(study.append("P001", 2, Json::array({speech(2, false), speech(3, true)})).ok());
-  EXPECT_EQ(StudyFolder::open(path)->records("P001")->size(), 3u);
+  EXPECT_EQ(StudyFolder::open(path)->log("P001")->records.size(), 3u);
 }
 
 TEST_F(StudyFolderTest, refuses_records_that_are_none_and_writes_nothing_of_them) {
@@ -79,7 +79,7 @@ TEST_F(StudyFolderTest, refuses_records_that_are_none_and_writes_nothing_of_them
                 .code,
             ErrorCode::kMalformed);
   EXPECT_EQ(study.append("P001", 1, Json::object()).error().code, ErrorCode::kMalformed);
-  EXPECT_TRUE(study.records("P001")->empty());
+  EXPECT_TRUE(study.log("P001")->records.empty());
   for (const char* id : {"P009", "", "../..", "P00x", "Q001"})
     EXPECT_EQ(study.append(id, 1, Json::array({speech(1, true)})).error().code,
               ErrorCode::kNotFound)

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <span>
 
+#include "roomcast/core/hex_text.h"
 #include "roomcast/net/random_bytes.h"
 
 namespace roomcast::hub {
@@ -19,16 +20,6 @@ char as_meant(char letter) {
   if (upper == 'O') return '0';
   if (upper == 'I' || upper == 'L') return '1';
   return kDigits.find(upper) != std::string_view::npos ? upper : '\0';
-}
-
-std::string hexadecimal(std::span<const std::uint8_t> bytes) {
-  constexpr std::string_view kHex = "0123456789abcdef";
-  std::string text;
-  for (const std::uint8_t byte : bytes) {
-    text += kHex[byte >> 4];
-    text += kHex[byte & 15];
-  }
-  return text;
 }
 
 }  // namespace
@@ -58,13 +49,13 @@ std::optional<CodeDigest> digest_of_code(std::string_view code) {
 
 std::string id_of_code(const CodeDigest& digest) {
   constexpr std::size_t kShown = 8;
-  return "code-" + hexadecimal(std::span(digest).first<kShown>());
+  return "code-" + hex_text(std::span(digest).first<kShown>());
 }
 
 std::string make_token_id() {
   std::array<std::uint8_t, 16> random{};
   net::fill_with_random_bytes(random);
-  return hexadecimal(random);
+  return hex_text(random);
 }
 
 }  // namespace roomcast::hub

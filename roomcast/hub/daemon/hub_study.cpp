@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <openssl/crypto.h>
 
+#include "roomcast/core/hex_text.h"
 #include "roomcast/hub/access/one_time_code.h"
 #include "roomcast/hub/access/sha256.h"
 #include "roomcast/hub/access/wall_clock.h"
@@ -22,13 +23,7 @@ using Json = nlohmann::json;
 constexpr std::size_t kPlanIdDigits = 16;
 
 std::string hex_digest(std::string_view bytes) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  for (const std::uint8_t byte : hub::sha256_of(bytes)) {
-    text += kDigits[byte >> 4U];
-    text += kDigits[byte & 15U];
-  }
-  return text;
+  return hex_text(hub::sha256_of(bytes));
 }
 
 /// In a time that tells nothing of where they differ.
@@ -44,12 +39,12 @@ nanoseconds now_since_1970() {
 
 Result<std::shared_ptr<HubStudy>> HubStudy::open(const std::filesystem::path& file,
                                                  const std::filesystem::path& folder) {
-  auto plan = study::load_plan(file);
-  if (!plan) return plan.error();
   std::vector<std::uint8_t> bytes;
   if (auto status = io::read_file(file, study::kMaxPlanBytes, bytes); !status)
     return status.error();
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  auto plan = study::plan_of(text, file);
+  if (!plan) return plan.error();
   const std::string digest = hex_digest(text);
   auto opened = study::StudyFolder::create(folder, *plan, text, digest);
   if (!opened) return opened.error();

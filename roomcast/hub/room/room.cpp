@@ -46,7 +46,7 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
     case pb::Control::kSightings:
     case pb::Control::kDepthInstant:
       if (sensor == nullptr) break;
-      pass_to_aligners(named(*sensor, message), out);
+      pass_to_aligners(with_sensor_id(*sensor, message), out);
       return out;
     case pb::Control::kSightingRequest:
       if (std::ranges::find(aligners_, from) == aligners_.end()) break;

@@ -132,7 +132,8 @@ class Room {
   void lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out);
   static void tell_depth_scale(RoomSensor& sensor, RoomActions& out);
   void ask_for_sightings(const wire::pb::SightingRequest& request, RoomActions& out);
-  [[nodiscard]] static wire::pb::Control named(const RoomSensor& sensor, wire::pb::Control message);
+  [[nodiscard]] static wire::pb::Control with_sensor_id(const RoomSensor& sensor,
+                                                        wire::pb::Control message);
   void pass_to_aligners(wire::pb::Control message, RoomActions& out) const;
   void take_placements(const wire::pb::Placements& placements, RoomTime now, RoomActions& out);
   [[nodiscard]] bool may_nudge(ConnectionId from) const;

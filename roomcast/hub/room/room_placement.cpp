@@ -42,8 +42,8 @@ void Room::ask_for_sightings(const pb::SightingRequest& request, RoomActions& ou
   if (!online.empty()) out.push_back(SendControl{std::move(online), std::move(message)});
 }
 
-/// What this sensor says, with its ID.
-pb::Control Room::named(const RoomSensor& sensor, pb::Control message) {
+/// The sensor's message with the sensor's ID, whatever ID the sensor wrote.
+pb::Control Room::with_sensor_id(const RoomSensor& sensor, pb::Control message) {
   if (message.has_sightings()) message.mutable_sightings()->set_sensor_id(sensor.id.value);
   if (message.has_depth_instant()) message.mutable_depth_instant()->set_sensor_id(sensor.id.value);
   return message;
@@ -62,7 +62,7 @@ void Room::lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out) {
 }
 
 /// Tells a sensor of this hub the factor on its readings that its pose assumes. A sensor that joins
-/// applies none, or one of which it informs the aligner by its bundle.
+/// counts as told 1; its bundle tells the aligner which factor it applies.
 void Room::tell_depth_scale(RoomSensor& sensor, RoomActions& out) {
   const double factor = sensor.pose.depth_scale;
   if (!sensor.connection || sensor.is_at_other_hub || factor == sensor.told_depth_scale) return;

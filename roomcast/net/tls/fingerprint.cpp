@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "roomcast/core/hex_text.h"
+
 namespace roomcast::net {
 
 namespace {
@@ -17,13 +19,7 @@ std::optional<unsigned> hex_value(char c) {
 }  // namespace
 
 std::string to_string(const Fingerprint& fingerprint) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  for (const std::uint8_t byte : fingerprint) {
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
-  return text;
+  return hex_text(fingerprint);
 }
 
 std::optional<Fingerprint> parse_fingerprint(std::string_view text) {

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "roomcast/core/csv_field.h"
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/recording/voices/listener_gains.h"
 #include "roomcast/recording/voices/voice_mix.h"
@@ -73,12 +74,6 @@ std::string file_name_of(std::string person) {
   return person;
 }
 
-std::string csv_field(const std::string& text) {
-  std::string field = "\"";
-  for (const char c : text) field.append(c == '"' ? 2 : 1, c);
-  return field + "\"";
-}
-
 class VoiceExporter {
  public:
   VoiceExporter(const RoomRecording& recording, const VoiceExportOptions& options)
@@ -132,11 +127,7 @@ Result<VoiceExport> VoiceExporter::run() {
   begin_ = samples_in(options_.from);
   end_ = std::max(samples_in(to), begin_);
   const int channels = options_.listener ? 2 : 1;
-  if ((end_ - begin_) * channels > WavFile::kMaxSamples) {
-    return Error{ErrorCode::kTooLarge,
-                 "a WAV file holds 12 hours of one channel and 6 hours of two; choose a part with "
-                 "--from and --to"};
-  }
+  if ((end_ - begin_) * channels > WavFile::kMaxSamples) return WavFile::too_long();
   auto all = create_sound(options_.out / "voices.wav", channels);
   if (!all) return all.error();
   all_ = *std::move(all);
@@ -302,8 +293,9 @@ Status VoiceExporter::write_list() const {
   std::string text = "file,person,viewer,first_s,last_s,speech_s,concealed_packets\n";
   for (const ExportedVoice& voice : done_.people) {
     text += fmt::format("{},{},{},{:.3f},{:.3f},{:.3f},{}\n",
-                        csv_field(voice.file.filename().string()), csv_field(voice.person),
-                        voice.viewer, voice.first_s, voice.last_s, voice.speech_s, voice.concealed);
+                        quoted_csv_field(voice.file.filename().string()),
+                        quoted_csv_field(voice.person), voice.viewer, voice.first_s, voice.last_s,
+                        voice.speech_s, voice.concealed);
   }
   return io::write_file(options_.out / "voices.csv", text);
 }

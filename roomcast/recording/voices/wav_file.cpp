@@ -45,6 +45,12 @@ Result<WavFile> WavFile::create(const std::filesystem::path& path, int channels)
   return file;
 }
 
+Error WavFile::too_long() {
+  return {ErrorCode::kTooLarge,
+          "a WAV file holds 12 hours of one channel and 6 hours of two; choose a part with --from "
+          "and --to"};
+}
+
 WavFile::WavFile(std::filesystem::path path, std::filesystem::path part, int channels)
     : path_(std::move(path)),
       part_(std::move(part)),
@@ -100,11 +106,7 @@ void WavFile::write_header() {
 }
 
 Status WavFile::finish() {
-  if (samples_ > kMaxSamples) {
-    return Error{ErrorCode::kTooLarge,
-                 "a WAV file holds 12 hours of one channel and 6 hours of two; choose a part with "
-                 "--from and --to"};
-  }
+  if (samples_ > kMaxSamples) return too_long();
   write_header();
   file_.close();
   if (!file_) return not_written(path_);

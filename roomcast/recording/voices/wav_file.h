@@ -19,6 +19,9 @@ class WavFile {
   /// Of one channel; of two, half of it.
   static constexpr std::int64_t kMaxSamples = 0x7FFFF000;
 
+  /// kTooLarge, for sound beyond kMaxSamples.
+  [[nodiscard]] static Error too_long();
+
   /// kUnavailable if the file exists already or cannot be written.
   static Result<WavFile> create(const std::filesystem::path& path, int channels);
   WavFile(WavFile&&) = default;

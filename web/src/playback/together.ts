@@ -2,6 +2,7 @@
 // Plays a recording together with others: tells the hub where this person stands and what they want, shows where the
 // others stand, and follows what they want (docs/spec/playback.md).
 import type { Pose, ViewerEntry, ViewerPose } from '../gen/control_pb';
+import { hexText } from '../hex_text';
 import { playbackTexts as texts } from '../recording_texts';
 import type { PlainPose, PlaybackCommand, PlaybackState } from '../stream/protocol';
 
@@ -42,7 +43,7 @@ export type AskParty = (body: object, isLast?: boolean) => Promise<PartyAnswer>;
 
 export class Together {
   names: string[] = [];
-  private readonly key = crypto.getRandomValues(new Uint8Array(16)).reduce((text, byte) => text + byte.toString(16).padStart(2, '0'), '');
+  private readonly key = hexText(crypto.getRandomValues(new Uint8Array(16)));
   private wants: Playing | undefined; // of this person, not told yet
   private change = 0; // the last one that is known here
   private state: PlaybackState | undefined;

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Text as a field of a CSV file (RFC 4180). What a spreadsheet would take for a formula gets a
+// leading apostrophe: names and answers come from strangers. Thread-safe (no state).
+#pragma once
+
+#include <string>
+
+namespace roomcast {
+
+/// In quotation marks where it needs them.
+[[nodiscard]] std::string csv_field(const std::string& text);
+
+/// Always in quotation marks.
+[[nodiscard]] std::string quoted_csv_field(const std::string& text);
+
+}  // namespace roomcast
