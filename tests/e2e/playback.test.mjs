@@ -131,6 +131,21 @@ describe('a recording in the page', () => {
     await button(page, 'Pause').click();
   });
 
+  test('has pictures along its timeline; a click on one goes there', slow, async () => {
+    const strip = page.locator('#playback .pictures');
+    const painted = () => strip.locator('canvas').evaluateAll((canvases) => canvases.map((canvas) => {
+      const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+      return canvas.width === 144 && new Set(data).size > 20;
+    }));
+    const all = await until('they are there', painted, (done) => done.length > 0 && done.every(Boolean));
+    assert.ok(all.length >= 4 && all.length <= 16, `${all.length}`);
+    const box = await strip.boundingBox();
+    await page.mouse.click(box.x + 0.25 * box.width, box.y + box.height / 2);
+    await until('it is there', () => figures(page), ({ position_s, exactPicture_ms }) =>
+      exactPicture_ms !== null && Math.abs(position_s - length_s / 4) < 0.5);
+    assert.deepEqual(page.complaints, []);
+  });
+
   test('repeats when that is wanted', slow, async () => {
     await page.getByLabel('Repeat').check();
     await seek(page, length_s - 0.3);

@@ -8,6 +8,8 @@ import type { PlaybackCommand, PlaybackState, ViewFrame } from './stream/protoco
 export interface PlaybackEvents {
   control(command: PlaybackCommand): void;
   room(): string;
+  /** Their names. */
+  sensors(): readonly string[];
   sound(): PlaybackSound;
   /** This person, for the others who play the same recording. */
   self(): Self & { token: string };
@@ -41,10 +43,11 @@ export class LazyPlayback {
 
   private async load(): Promise<void> {
     this.isLoading = true;
-    const { PlaybackBar, partyOf } = await import('./playback/playback_bar');
+    const { PlaybackBar, partyOf, picturesOf } = await import('./playback/playback_bar');
     const { events } = this;
-    const together = partyOf(events, this.newest!.name);
-    this.bar = new PlaybackBar(events.room(), (command) => events.control(command), events.sound(), together);
+    const { name } = this.newest!;
+    const [together, pictures] = [partyOf(events, name), picturesOf(events, name)];
+    this.bar = new PlaybackBar(events.room(), (command) => events.control(command), events.sound(), together, pictures);
     this.bar.show(this.newest!);
   }
 }

@@ -17,7 +17,7 @@ import { PosePublisher } from './pose_publisher';
 import { parseOptions, socketUrl, type PageOptions } from './page_options';
 import type { NudgeEvents } from './panel/nudge_controls';
 import { Panel } from './panel/panel';
-import { pictureName } from './panel/picture_name';
+import { namedPicture } from './panel/picture_name';
 import { Progress } from './panel/progress';
 import { RoomPlaces } from './room_places';
 import type { RoomRoster } from './room_roster';
@@ -30,7 +30,7 @@ import { Sound } from './sound';
 import { RoomLink } from './stream/room_link';
 import type { StudySeat } from './study/study_seat';
 import { TestApi } from './test_api';
-import { consoleTexts, problemTexts } from './texts';
+import { problemTexts, signInTexts } from './texts';
 import type { DrawMode } from './view/draw_mode';
 import { darkBackground, lightBackground } from './view/room_scene';
 import { Stage } from './view/stage';
@@ -61,6 +61,7 @@ class Page {
   private readonly playback = new LazyPlayback({
     control: (command) => this.link.playback(command),
     room: () => this.state.welcome?.room ?? '',
+    sensors: () => this.state.roster?.sensors.map(({ name }) => name) ?? [],
     sound: () => this.sound.ofRecording,
     self: () => ({ name: ownName(this.options.name, browserStorage.store), head: this.body.head, token: this.access.token }),
     people: (viewers, poses) => this.joinedBy(viewers, poses),
@@ -83,6 +84,7 @@ class Page {
     this.sound = this.makeSound();
     this.panel = new Panel(document.getElementById('panel')!, this.state, hubAddress, name, this.sound, {
       modeChosen: (mode) => this.setMode(mode),
+      qualityChosen: (quality) => this.stage.choose(quality),
       sensorSwitched: (sensor, visible) => this.stage.setVisible(sensor, visible),
       themeChosen: (theme) => this.look.choose(theme),
       consoleWanted: () => void this.tryConsole(this.console.toggle()),
@@ -95,7 +97,7 @@ class Page {
         reset: () => this.standpoint.goToStart(),
         turn: (dYaw, dPitch) => this.standpoint.turn(dYaw, dPitch),
         share: () => ({ address: this.standpoint.share(), omitsToken: this.access.token !== '' }),
-        picture: () => this.takePicture(),
+        picture: () => namedPicture(this.stage.snapshot(), this.state.welcome?.room ?? ''),
         guide: (on) => this.link.guide(on),
       },
       headset: {
@@ -172,7 +174,8 @@ class Page {
 
   private begin(): void {
     const { stage, state, standpoint, headset, sound } = this;
-    if (this.options.best) stage.ladder.pinToBest();
+    if (this.options.best) this.panel.quality.set('best');
+    stage.choose(this.panel.quality.chosen);
     this.panel.setOpen(this.options.panelOpen ?? matchMedia(roomForPanel).matches);
     this.setMode(this.options.mode);
     this.look.apply();
@@ -260,6 +263,7 @@ class Page {
     const { Console } = await import('./console/console');
     return new Console(document.getElementById('console')!, this.state, this.api, hubAddress, {
       closed: () => this.panel.focusConsole(),
+      here: () => this.standpoint.current,
       nudge: this.nudgeEvents(),
     });
   }
@@ -276,7 +280,7 @@ class Page {
 
   /** Loads the page again with the token. Returns why that is not possible, or nothing. */
   private comeBackWith(token: string): string {
-    if (!tabStorage.outlivesPage) return consoleTexts.access.notKept;
+    if (!tabStorage.outlivesPage) return signInTexts.notKept;
     rememberAccess({ room: this.state.welcome?.room ?? this.options.room, code: '', token }, tabStorage.store);
     location.reload();
     return '';
@@ -355,11 +359,6 @@ class Page {
     this.panel.setMode(this.stage.room.drawMode);
   }
 
-  private async takePicture() {
-    const png = await this.stage.snapshot();
-    return png && { png, name: pictureName(this.state.welcome?.room ?? '', new Date()) };
-  }
-
   private reportStats(): void {
     const { state } = this;
     if (state.connection.phase !== 'joined' || state.shownSets === 0) return;
@@ -367,8 +366,8 @@ class Page {
   }
 
   private refreshWords(): void {
-    const room = this.stage?.room;
-    if (room) this.panel.showDrawing({ mode: room.drawMode, mixes: room.isMixing, ...room.sensorCounts });
+    const { stage } = this;
+    if (stage) this.panel.showDrawing(stage.room.drawing, stage.quality);
     this.panel.refresh();
     this.progress.refresh();
     if (this.standpoint) this.panel.showMap(this.standpoint.current);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -50,8 +51,9 @@ class FakeFiles final : public KeptRecordings {
   void part(RecordingScope scope, std::string name, WantedPart wanted,
             WhenKnown<std::shared_ptr<const std::string>> done) override {
     if (const auto found = find(scope, name); !found) return done(found.error());
-    done(std::make_shared<const std::string>((wanted.is_moment ? "moment " : "part ") +
-                                             std::to_string(wanted.number)));
+    constexpr std::array kKinds{"part ", "moment ", "key frame "};
+    done(std::make_shared<const std::string>(kKinds[static_cast<std::size_t>(wanted.kind)] +
+                                             wanted.sensor + std::to_string(wanted.number)));
   }
   void open(RecordingScope scope, std::string name,
             WhenKnown<std::shared_ptr<const net::LongBody>> done) override {

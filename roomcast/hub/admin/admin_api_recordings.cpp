@@ -76,6 +76,7 @@ void AdminApi::carry_out_on_recordings(const Call& call) {
       return about_recording(call);
     case AdminCall::kRecordingMoment:
     case AdminCall::kRecordingPart:
+    case AdminCall::kRecordingKeyFrame:
       return recording_part(call);
     case AdminCall::kRecordingFile:
       return recording_file(call);
@@ -138,20 +139,26 @@ void AdminApi::about_recording(const Call& call) const {
 }
 
 void AdminApi::recording_part(const Call& call) const {
-  const auto number = number_in(call.parameter(2));
+  using Kind = WantedPart::Kind;
+  const AdminCall asked = call.match.route.call;
+  const bool is_key_frame = asked == AdminCall::kRecordingKeyFrame;
+  const auto number = number_in(call.match.parameters.back());
   if (!number)
     return call.respond(error_answer(400, "bad_request", "the address must end with a number"));
-  recordings_->kept().part(
-      scope_of(call, call.parameter(0)), call.parameter(1),
-      {.is_moment = call.match.route.call == AdminCall::kRecordingMoment, .number = *number},
-      [call](const Result<std::shared_ptr<const std::string>>& part) {
-        if (!part) return call.respond(refusal_of(part.error()));
-        net::HttpResponse response;
-        response.content_type = "application/octet-stream";
-        response.body = *part;
-        response.cache_control = "no-store";
-        call.respond(std::move(response));
-      });
+  recordings_->kept().part(scope_of(call, call.parameter(0)), call.parameter(1),
+                           {.kind = is_key_frame                           ? Kind::kKeyFrame
+                                    : asked == AdminCall::kRecordingMoment ? Kind::kMoment
+                                                                           : Kind::kPart,
+                            .number = *number,
+                            .sensor = is_key_frame ? call.parameter(2) : ""},
+                           [call](const Result<std::shared_ptr<const std::string>>& part) {
+                             if (!part) return call.respond(refusal_of(part.error()));
+                             net::HttpResponse response;
+                             response.content_type = "application/octet-stream";
+                             response.body = *part;
+                             response.cache_control = "no-store";
+                             call.respond(std::move(response));
+                           });
 }
 
 void AdminApi::recording_file(const Call& call) const {

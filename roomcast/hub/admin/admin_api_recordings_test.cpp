@@ -48,7 +48,8 @@ TEST_F(AdminApiRecordingsTest, are_for_the_admins_of_their_room_only) {
                                                         {"POST", "/one/download"},
                                                         {"GET", "/one"},
                                                         {"GET", "/one/moments/0"},
-                                                        {"GET", "/one/parts/0"}}) {
+                                                        {"GET", "/one/parts/0"},
+                                                        {"GET", "/one/sensors/s0/key-frames/0"}}) {
     const std::string address = "/rooms/lab/recordings" + path;
     EXPECT_EQ(ask(method, address).code(), "unauthenticated") << method << path;
     EXPECT_EQ(ask(method, address, token("lab", TokenRole::kViewer)).code(), "wrong_role");
@@ -76,6 +77,9 @@ TEST_F(AdminApiRecordingsTest, are_played_part_by_part) {
   EXPECT_EQ(ask("GET", "/rooms/lab/recordings/one", hub_admin).body["seconds"], 2.5);
   EXPECT_EQ(body("/one/moments/1500"), "moment 1500");
   EXPECT_EQ(body("/one/parts/7"), "part 7");
+  EXPECT_EQ(body("/one/sensors/left%20/key-frames/250"), "key frame left 250");
+  EXPECT_EQ(ask("GET", "/rooms/lab/recordings/one/sensors/s0/key-frames/x", hub_admin).code(),
+            "bad_request");
   for (const char* bad : {"-1", "1.5", "x", "99999999999", "1%20"}) {
     const std::string path = std::string("/rooms/lab/recordings/one/parts/") + bad;
     EXPECT_EQ(ask("GET", path, hub_admin).code(), "bad_request") << bad;

@@ -31,6 +31,8 @@ constexpr std::array kRoutes = {
                AdminCall::kRecordingMoment},
     AdminRoute{"GET", "/rooms/{room}/recordings/{recording}/parts/{part}",
                AdminCall::kRecordingPart},
+    AdminRoute{"GET", "/rooms/{room}/recordings/{recording}/sensors/{sensor}/key-frames/{ms}",
+               AdminCall::kRecordingKeyFrame},
     AdminRoute{"POST", "/rooms/{room}/recordings/{recording}/together", AdminCall::kWatchTogether},
     AdminRoute{"PATCH", "/rooms/{room}/recordings/{recording}", AdminCall::kRenameRecording},
     AdminRoute{"DELETE", "/rooms/{room}/recordings/{recording}", AdminCall::kDeleteRecording},

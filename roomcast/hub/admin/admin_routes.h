@@ -32,6 +32,7 @@ enum class AdminCall {
   kAboutRecording,
   kRecordingMoment,
   kRecordingPart,
+  kRecordingKeyFrame,
   kRecordingFile,
   kMakeDownload,
   kRenameRecording,

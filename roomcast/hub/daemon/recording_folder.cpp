@@ -296,15 +296,16 @@ Result<KeptRecording> RecordingFolder::rename_now(const RecordingScope& scope,
   return find(scope, to);
 }
 
-Result<std::shared_ptr<const std::string>> RecordingFolder::part_now(const RecordingScope& scope,
-                                                                     const std::string& name,
-                                                                     hub::WantedPart wanted) {
+Result<std::shared_ptr<const std::string>> RecordingFolder::part_now(
+    const RecordingScope& scope, const std::string& name, const hub::WantedPart& wanted) {
   if (const auto found = find_finished(scope, name); !found) return found.error();
   const auto recording = playable(name);
   if (!recording) return recording.error();
-  if (wanted.is_moment)
-    return std::make_shared<const std::string>(
-        (*recording)->moment(std::chrono::milliseconds(wanted.number)));
+  const std::chrono::milliseconds time(wanted.number);
+  if (wanted.kind == hub::WantedPart::Kind::kMoment)
+    return std::make_shared<const std::string>((*recording)->moment(time));
+  if (wanted.kind == hub::WantedPart::Kind::kKeyFrame)
+    return std::make_shared<const std::string>((*recording)->key_frame(wanted.sensor, time));
   auto part = (*recording)->part(wanted.number);
   if (!part) return part.error();
   return std::make_shared<const std::string>(*std::move(part));

@@ -94,7 +94,7 @@ class RecordingFolder final : public hub::KeptRecordings {
                                         const std::string& to);
   Result<std::shared_ptr<const std::string>> part_now(const hub::RecordingScope& scope,
                                                       const std::string& name,
-                                                      hub::WantedPart wanted);
+                                                      const hub::WantedPart& wanted);
   Result<std::shared_ptr<const recording::PlayableRecording>> playable(const std::string& name);
   Status remove_now(const hub::RecordingScope& scope, const std::string& name);
   Status remove_file(const std::string& name);

@@ -203,10 +203,14 @@ TEST_F(RecordingFolderTest, opens_a_file_that_stays_readable_when_it_is_deleted)
 
 TEST_F(RecordingFolderTest, gives_parts_until_the_file_is_changed_or_deleted) {
   record("one");
-  const auto first = part("one", {.is_moment = true, .number = 500});
+  const auto first = part("one", {.kind = WantedPart::Kind::kMoment, .number = 500});
   ASSERT_TRUE(first.ok()) << first.error().message;
   EXPECT_EQ(first->substr(0, 4), "RCPT");
   EXPECT_TRUE(part("one", {.number = 0}).ok());
+  const auto picture =
+      part("one", {.kind = WantedPart::Kind::kKeyFrame, .number = 500, .sensor = "s0"});
+  ASSERT_TRUE(picture.ok());
+  EXPECT_EQ(picture->size(), recording::kPartHeaderBytes);  // it has no frames
   EXPECT_EQ(part("one", {.number = 99}).error().code, ErrorCode::kNotFound);
   std::ofstream(file("one")) << "overwritten";
   EXPECT_FALSE(part("one", {.number = 0}).ok());

@@ -65,8 +65,10 @@ struct RecordingScope {
 
 /// Of a recording that is played: docs/spec/playback.md.
 struct WantedPart {
-  bool is_moment = false;
+  enum class Kind { kPart, kMoment, kKeyFrame };
+  Kind kind = Kind::kPart;
   std::uint32_t number = 0;  // of the part, or milliseconds since the start
+  std::string sensor{};      // of a key frame
 };
 
 template <class T>

@@ -44,11 +44,6 @@ class FrameChainBack {
   bool is_whole_ = false;
 };
 
-struct PastMessage {
-  nanoseconds time{};
-  std::vector<std::uint8_t> bytes;
-};
-
 template <class T>
 bool parse_checked(std::span<const std::uint8_t> bytes, pb::Control& control, T* message) {
   return wire::parse_message(bytes, *message) && wire::check_control(control).ok();
@@ -162,9 +157,13 @@ std::size_t PlayableRecording::chunk_at(nanoseconds time) const {
   return 0;
 }
 
+nanoseconds PlayableRecording::within(nanoseconds since_start) const {
+  const nanoseconds length = recording_.end() - recording_.start();
+  return recording_.start() + std::clamp(since_start, nanoseconds(0), length);
+}
+
 std::string PlayableRecording::moment(nanoseconds time) const {
-  const nanoseconds at =
-      recording_.start() + std::clamp(time, nanoseconds(0), recording_.end() - recording_.start());
+  const nanoseconds at = within(time);
   Builder part(recording_.start(), at);
   const std::size_t chunks = recording_.file().summary().chunks.size();
   if (chunks == 0) return part.finish(0, 0);
@@ -185,6 +184,44 @@ Result<std::string> PlayableRecording::part(std::uint32_t chunk) const {
   return part.finish(next, chunks.size());
 }
 
+std::string PlayableRecording::key_frame(std::string_view sensor, nanoseconds time) const {
+  const nanoseconds at = within(time);
+  Builder part(recording_.start(), at);
+  const auto& chunks = recording_.file().summary().chunks;
+  const auto of = std::ranges::find(recording_.sensors(), sensor, &RecordedSensor::name);
+  if (of == recording_.sensors().end() || chunks.empty())
+    return part.finish(chunks.size(), chunks.size());
+  std::optional<Found> found;
+  std::uint64_t looked_at = 0;
+  const std::size_t chunk = chunk_at(at);
+  for (std::size_t i = chunk + 1; !found && i-- > 0;) {
+    looked_at += chunks[i].uncompressed_size;
+    if (at - chunks[i].end_time > kMaxLookBack || looked_at > kMaxLookBackBytes) break;
+    found = key_frame_in(i, of->frames_channel, nanoseconds::min(), at);
+  }
+  for (std::size_t i = chunk; !found && i < std::min(chunk + 2, chunks.size()); ++i)
+    found = key_frame_in(i, of->frames_channel, at, nanoseconds::max());
+  if (found) part.add(found->time, found->message, found->time <= at ? kIsPast : 0);
+  return part.finish(chunks.size(), chunks.size());
+}
+
+/// The last key frame after `from` and up to `until`.
+std::optional<PlayableRecording::Found> PlayableRecording::key_frame_in(std::size_t chunk,
+                                                                        mcap::ChannelId frames,
+                                                                        nanoseconds from,
+                                                                        nanoseconds until) const {
+  std::optional<Found> found;
+  const auto contents = recording_.file().chunk(chunk);
+  if (!contents) return found;
+  for (const mcap::Message& message : contents->messages) {
+    if (message.channel != frames || message.log_time <= from || message.log_time > until) continue;
+    const auto header = wire::parse_frame(message.data);
+    if (header && header->key)
+      found = Found{message.log_time, {message.data.begin(), message.data.end()}};
+  }
+  return found;
+}
+
 /// The room as it was at `time`: sensors and people, marks, where people were, and the frames of
 /// each sensor that its last one needs.
 void PlayableRecording::add_past(nanoseconds time, std::size_t chunk, Builder& part) const {
@@ -192,7 +229,7 @@ void PlayableRecording::add_past(nanoseconds time, std::size_t chunk, Builder& p
   std::map<mcap::ChannelId, FrameChainBack> chains;
   for (const RecordedSensor& sensor : recording_.sensors()) chains[sensor.frames_channel];
   std::map<std::uint32_t, pb::ViewerPose> poses;
-  std::vector<PastMessage> frames;  // the newest first
+  std::vector<Found> frames;  // the newest first
   std::uint64_t looked_at = 0;
   const auto is_whole = [](const auto& chain) { return chain.second.is_whole(); };
   for (std::size_t i = chunk + 1; i-- > 0;) {
@@ -227,7 +264,7 @@ void PlayableRecording::add_past(nanoseconds time, std::size_t chunk, Builder& p
   }
   if (bodies.has_viewer_poses()) part.add(time, encoded(bodies), kIsPast);
   for (auto frame = frames.rbegin(); frame != frames.rend(); ++frame)
-    part.add(frame->time, frame->bytes, kIsPast);
+    part.add(frame->time, frame->message, kIsPast);
 }
 
 /// The messages of a chunk later than `after`.

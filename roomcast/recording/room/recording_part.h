@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "roomcast/recording/room/room_recording.h"
@@ -39,11 +41,19 @@ class PlayableRecording {
   [[nodiscard]] std::string moment(nanoseconds time) const;
   /// What follows from a chunk on: `next` of another part. kNotFound: there is no such chunk.
   [[nodiscard]] Result<std::string> part(std::uint32_t chunk) const;
+  /// For a small picture of `time`: a part with the last key frame of this sensor before it, or, at
+  /// the sensor's beginning, one that follows. Without a record where neither is near, or there is
+  /// no such sensor.
+  [[nodiscard]] std::string key_frame(std::string_view sensor, nanoseconds time) const;
 
  private:
   struct Change {
     nanoseconds time{};
     wire::pb::Marks marks;
+  };
+  struct Found {
+    nanoseconds time{};
+    std::vector<std::uint8_t> message;
   };
   class Builder;
 
@@ -51,6 +61,9 @@ class PlayableRecording {
   void read_marks();
   [[nodiscard]] std::vector<wire::pb::Control> marks_at(nanoseconds time) const;
   [[nodiscard]] std::size_t chunk_at(nanoseconds time) const;
+  [[nodiscard]] nanoseconds within(nanoseconds since_start) const;
+  [[nodiscard]] std::optional<Found> key_frame_in(std::size_t chunk, mcap::ChannelId frames,
+                                                  nanoseconds from, nanoseconds until) const;
   void add_past(nanoseconds time, std::size_t chunk, Builder& part) const;
   void add_chunk(std::size_t chunk, nanoseconds after, Builder& part) const;
 

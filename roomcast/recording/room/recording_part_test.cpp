@@ -206,6 +206,26 @@ TEST_F(RecordingPartTest, of_a_time_out_of_range_is_the_first_or_last) {
   EXPECT_EQ(recording.part(kNoPart).error().code, ErrorCode::kNotFound);
 }
 
+TEST_F(RecordingPartTest, of_a_small_picture_is_the_last_key_frame_of_one_sensor) {
+  room.record(path, 40);
+  const auto recording = open();
+  const auto seq_at = [&](const char* sensor, int instant) {
+    const std::string bytes =
+        recording.key_frame(sensor, instant * RecordingFixtureRoom::kPeriod + 1ms);
+    const ReadPart part = read_part(bytes);
+    EXPECT_EQ(part.next, kNoPart);
+    if (part.records.size() != 1) return -1;
+    const auto header = wire::parse_frame(part.records.front().message);
+    EXPECT_TRUE(header->key);
+    EXPECT_EQ(header->sensor, SensorId{10});
+    return static_cast<int>(header->seq);
+  };
+  EXPECT_EQ(seq_at("s0", 28), 25);
+  EXPECT_EQ(seq_at("s0", 4), 0);
+  EXPECT_EQ(seq_at("s0", 1000), 35);
+  EXPECT_EQ(seq_at("no such sensor", 28), -1);
+}
+
 TEST_F(RecordingPartTest, of_an_empty_recording_has_its_roster_at_most) {
   {
     auto writer = RoomRecordingWriter::create(path, "lab");
@@ -214,6 +234,7 @@ TEST_F(RecordingPartTest, of_an_empty_recording_has_its_roster_at_most) {
   const ReadPart part = read_part(open().moment(1s));
   EXPECT_TRUE(part.records.empty());
   EXPECT_EQ(part.next, kNoPart);
+  EXPECT_TRUE(read_part(open().key_frame("s0", 1s)).records.empty());
 }
 
 TEST_F(RecordingPartTest, says_where_the_file_is_damaged_and_goes_on_behind_it) {

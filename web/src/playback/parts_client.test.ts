@@ -25,6 +25,8 @@ describe('a recording at the hub', () => {
     expect(asked[0]!.init.headers).toEqual({ Authorization: 'Bearer secret' });
     await parts.moment(1.2345).catch(() => undefined);
     expect(asked[1]!.address).toMatch(/\/moments\/1235$|\/moments\/1234$/);
+    await parts.keyFrame('left/1', 2).catch(() => undefined);
+    expect(asked[2]!.address).toMatch(/\/sensors\/left%2F1\/key-frames\/2000$/);
   });
 
   test('that is gone, or for others, is said so, and not asked for again', async () => {

@@ -54,6 +54,11 @@ export class PartsClient {
     return this.part(`/parts/${part}`);
   }
 
+  /** A frame of this sensor that can be decoded alone, for a small picture. */
+  async keyFrame(sensor: string, position_s: number): Promise<Part> {
+    return this.part(`/sensors/${encodeURIComponent(sensor)}/key-frames/${Math.round(1000 * position_s)}`);
+  }
+
   private async part(path: string): Promise<Part> {
     const bytes = await (await this.get(path)).arrayBuffer();
     this.received_bytes += bytes.byteLength;

@@ -7,7 +7,10 @@ import { checkbox, choice, labelled } from '../panel/form';
 import { duration } from '../panel/format';
 import { playbackTexts as texts } from '../recording_texts';
 import type { PlaybackCommand, PlaybackState, ViewFrame } from '../stream/protocol';
+import { KeyFramePainter } from './key_frame_painter';
+import { PartsClient } from './parts_client';
 import { SeekWatch } from './seek_watch';
+import { TimelinePictures, type PictureSource } from './timeline_pictures';
 import { Together, type PartyAnswer, type Self, type TogetherEvents } from './together';
 
 const step_s = 0.1; // of the timeline by mouse; keys go by a second
@@ -21,6 +24,17 @@ export interface PlaybackSound {
   obstacle(): string;
   /** Browsers play no sound before the user has done something. */
   awaitsGesture(): boolean;
+}
+
+/** Where the pictures along the timeline come from. */
+export interface PlaybackPictures {
+  source: PictureSource;
+  sensors(): readonly string[];
+}
+
+export function picturesOf(events: { room(): string; sensors(): readonly string[]; self(): { token: string } }, recording: string): PlaybackPictures {
+  const source = new PartsClient('', events.room(), recording, events.self().token);
+  return { source, sensors: () => events.sensors() };
 }
 
 /** The people who play this recording of a room. */
@@ -51,6 +65,7 @@ export class PlaybackBar {
   private readonly note = element('p', { class: 'note', role: 'status' });
   private readonly hint = element('p', { class: 'note hint', role: 'status' });
   private readonly watch = new SeekWatch();
+  private readonly pictures: TimelinePictures | undefined;
   private state: PlaybackState | undefined;
   private isDragged = false; // the line is the person's until it is let go
 
@@ -59,13 +74,17 @@ export class PlaybackBar {
     private readonly apply: (command: PlaybackCommand) => void,
     private readonly sound: PlaybackSound,
     private readonly together: Together,
+    { source, sensors }: PlaybackPictures,
   ) {
+    const seek = (position_s: number) => this.seek(position_s);
+    if (KeyFramePainter.isPossible)
+      this.pictures = new TimelinePictures(source, new KeyFramePainter(), { sensors, seek, isBusy: () => this.state?.isWaiting ?? true });
     const link = element('a', { href: `?room=${encodeURIComponent(room)}` }, texts.live);
     const title = element('div', { class: 'title' }, this.name, this.date, this.companyField, link);
     const speed = labelled(texts.speed, this.speed, 'speed');
     const loops = labelled(texts.loop, this.loops, 'loops');
     const controls = element('div', { class: 'controls' }, this.play, this.time, this.voicesField, speed, loops);
-    const bar = element('section', { id: 'playback', 'aria-label': texts.title }, title, this.line, controls, this.note, this.hint);
+    const bar = element('section', { id: 'playback', 'aria-label': texts.title }, title, this.pictures?.root, this.line, controls, this.note, this.hint);
     document.querySelector('main')!.append(bar);
     document.body.classList.add('playing');
     this.listen();
@@ -103,6 +122,7 @@ export class PlaybackBar {
 
   drawn(frames: readonly ViewFrame[]): void {
     this.watch.show(frames, performance.now());
+    if (this.state) void this.pictures?.load(this.state.length_s, this.line.clientWidth);
   }
 
   /** Why voices are not heard, or nothing. */
