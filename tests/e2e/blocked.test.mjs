@@ -122,6 +122,13 @@ describe('a browser that', () => {
       async () => [await panelText(page), (await stateOf(page)).quality.mixes],
       ([text, mixes]) => /too slow to blend/.test(text) === !mixes,
     );
+    await page.getByLabel('Quality').selectOption('coarse');
+    await until('it says what is drawn', () => panelText(page), (text) => /Every 5th reading, the nearest surface, the only sensor, 60 % of/.test(text));
+    assert.equal((await stateOf(page)).quality.step, 5);
+    await page.reload();
+    await untilAllShown(page, 1);
+    assert.equal((await stateOf(page)).quality.step, 5, 'it is remembered');
+    await page.getByLabel('Quality').selectOption('auto');
     await page.close();
   });
 });

@@ -86,6 +86,23 @@ describe('the console', () => {
       assert.deepEqual(await seriousFindings(page), []);
     });
 
+    test('makes a picture larger, and tells the value of a time in a chart', slow, async () => {
+      const card = page.locator('#console .card').first();
+      const width = async () => (await card.locator('.thumbnail').boundingBox()).width;
+      const small = await width();
+      await card.getByRole('button', { name: 'What s0 sees' }).press('Enter');
+      assert.ok((await width()) > 1.8 * small, `${await width()} after ${small}`);
+      await until('every pixel', () => card.locator('.thumbnail').evaluate((canvas) => canvas.width), (px) => px >= 320);
+      assert.deepEqual(await seriousFindings(page), []);
+      await card.getByRole('button', { name: 'What s0 sees' }).press('Enter');
+      const chart = card.locator('.chart').first();
+      assert.match(await chart.innerText(), /frames\s+[\d.–]+[^]*10 fps[^]*3 min ago\s+now/);
+      const plot = await chart.locator('.plot').boundingBox();
+      await page.mouse.move(plot.x + 0.5 * plot.width, plot.y + plot.height / 2);
+      assert.match(await chart.innerText(), /, (89|90) s ago/);
+      await page.mouse.move(0, 0);
+    });
+
     test('shows the gaps of pairs, and that these sensors supplied their poses', slow, async () => {
       await tab(page, 'Alignment');
       await until(
@@ -95,6 +112,8 @@ describe('the console', () => {
       );
       assert.match(await page.locator('.places').innerText(), /s0[^]*supplied its pose, so it cannot be moved by hand/);
       assert.equal(await page.getByRole('button', { name: 'Move by hand' }).count(), 0);
+      await page.locator('.alignment .map [data-sensor]').last().click();
+      assert.match(await page.evaluate(() => document.activeElement.innerText), /s1/, 'a press on the map shows its row');
       assert.deepEqual(await seriousFindings(page), []);
     });
 
@@ -149,6 +168,10 @@ describe('the console', () => {
       assert.match(command, /^roomcast sensor .*--hub ws:.* --room room --token [\w-]+\.[\w-]+\.[\w-]+$/);
       assert.deepEqual(await seriousFindings(page), []);
       await page.getByRole('button', { name: 'Revoke: left' }).click();
+      await page.keyboard.press('Escape');
+      assert.ok(await page.locator('#console').isVisible(), 'only the question is gone');
+      await page.getByRole('button', { name: 'Revoke: left' }).click();
+      await page.getByRole('button', { name: 'Revoke for good?: left' }).click();
       await until(
         'it is revoked',
         () => page.locator('.tokens').innerText(),
@@ -208,6 +231,21 @@ describe('the console', () => {
       );
     });
 
+    test('chooses where people enter, by standing there', slow, async () => {
+      await tab(page, 'Room');
+      await page.evaluate(() => window.roomcast.setView([1.25, 1.5, -0.5], [5, 1.5, -0.5]));
+      await page.getByRole('button', { name: 'Add where I stand' }).click();
+      await page.getByText('1: 1.3 m, -0.5 m, looking to 90°').waitFor();
+      assert.deepEqual((await inRoom()).start_positions, [{ x: 1.25, z: -0.5, eye_height: 1.5, yaw_deg: -90 }]);
+      const visitor = await openPage(browser.context, `${hub.page}?panel=0#room=room&token=${token}`);
+      await until('the visitor stands there', () => visitor.evaluate(() => window.roomcast?.view().position), (at) =>
+        at && Math.abs(at[0] - 1.25) < 0.01 && Math.abs(at[2] + 0.5) < 0.01);
+      await visitor.close();
+      await page.getByRole('button', { name: 'Remove place 1' }).click();
+      await page.getByText('Next to the sensors.').waitFor();
+      assert.deepEqual(await seriousFindings(page), []);
+    });
+
     const panelSays = (visitor, pattern) =>
       until(
         `the panel says ${pattern}`,
@@ -240,6 +278,20 @@ describe('the console', () => {
         (current) => current === 'page',
       );
       await visitor.close();
+    });
+
+    test('closes a room after a question', slow, async () => {
+      const studio = await openPage(browser.context, `${hub.page}?${view}&room=studio#token=${token}`);
+      const guest = await openPage(browser.context, `${hub.page}?panel=1&room=studio`);
+      await panelSays(guest, /studio[^]*live/);
+      await open(studio);
+      await tab(studio, 'Room');
+      await studio.getByRole('button', { name: 'Close this room: studio' }).click();
+      await studio.getByRole('button', { name: 'Close it, for all?: studio' }).click();
+      await panelSays(guest, /this room was closed|no room of that name/);
+      const { rooms } = await askHub('/rooms');
+      assert.deepEqual(rooms.map(({ name }) => name), ['room']);
+      await Promise.all([studio.close(), guest.close()]);
     });
   });
 });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All English texts of the page in one place, for review and translation; those of the tools and marks are in
-// mark_texts.ts.
+// mark_texts.ts, those of the console in console_texts.ts.
 
 export const headsetTexts = {
   title: 'Headset',
@@ -21,120 +21,14 @@ export const headsetTexts = {
   help: 'Left stick: walk. Right stick: turn, or push forward to aim at the floor and release to go there. Trigger or pinch: aim and go there.',
 };
 
-export const consoleTexts = {
-  open: 'Console',
-  title: 'Console',
-  close: 'Close the console',
-  tabs: {
-    sensors: 'Sensors',
-    alignment: 'Alignment',
-    people: 'People',
-    recordings: 'Recordings',
-    access: 'Access',
-    room: 'Room',
-  },
-  noSensors: 'No sensor has joined yet. Each one appears here with its picture.',
-  gone: 'gone',
-  forget: 'Forget',
-  noPicture: 'no picture yet',
-  charts: { fps: 'frames', rate: 'bandwidth', latency: 'age', leftOut: 'skipped' },
-  clock: (error_ms: number) => `clock known to ±${Math.max(0.1, error_ms).toFixed(error_ms < 10 ? 1 : 0)} ms`,
-  clockUnknown: 'clock not known yet',
-  interference: {
-    none: 'no interference by other infrared cameras',
-    flickering: (share: number) => `${(100 * share).toFixed(share < 0.1 ? 1 : 0)} % of still readings come and go`,
-    noise: (ratio: number) => `noise up to ${ratio.toFixed(1)} times the usual`,
-    title: 'Infrared interference',
-  },
-  mapLabel: (sensors: number) => `The room from above with ${sensors} sensors and the pairs that see the same surfaces`,
-  pairsTitle: 'Pairs',
-  pairsHelp:
-    'The distance between the surfaces that two sensors see in common: the median over all common points. It includes the ' +
-    'sensors’ own noise.',
-  pair: (a: string, b: string) => `${a} and ${b}`,
-  gap: (gap_mm: number, points: number) => `${gap_mm.toFixed(0)} mm over ${points} points`,
-  noPairs: 'No two sensors see enough common surface to compare them.',
-  placesTitle: 'Places',
-  placed: (error_mm: number) => `placed, expected error ${Math.max(1, Math.round(error_mm))} mm at 2.5 m`,
-  given: 'pose supplied by the sensor',
-  unplaced: 'not placed',
-  moved: 'was moved',
-  unverified: 'stored pose, not verified yet',
-  advice:
-    'What helps: more overlap with another sensor, with furniture rather than bare walls; a person who walks through both ' +
-    'views; a printed board held in front of both; or a pose proposed by hand.',
-  move: 'Move by hand',
-  moving: 'Done',
-  fixed: 'The sensor supplied its pose, so it cannot be moved by hand.',
-  nudgeNeedsAdmin: 'To move sensors by hand, open the page with an admin’s token.',
-  people: {
-    name: 'Name',
-    fps: 'Shown',
-    latency: 'Latency',
-    dropped: 'Skipped',
-    sendAway: 'Send away',
-    mute: 'Mute',
-    you: ' (you)',
-    nobody: 'No viewers are here.',
-  },
-  access: {
-    intro:
-      'A link gives access in the chosen role, for the chosen time. A one-time link works once.',
-    role: 'For',
-    roles: { viewer: 'a viewer', sensor: 'a sensor', hub: 'a hub that relays this room', admin: 'an admin of this room' },
-    name: 'Name of its user',
-    span: 'Valid for',
-    spans: { 3600: 'an hour', 28800: 'eight hours', 604800: 'a week', 31536000: 'a year' },
-    once: 'One-time link',
-    make: 'Make it',
-    link: 'Link',
-    token: 'Token',
-    command: 'Command',
-    copy: 'Copy',
-    copied: 'Copied',
-    qr: 'The link as a QR code',
-    shownOnce: 'It is shown only now.',
-    listTitle: 'Made so far',
-    none: 'None yet.',
-    revoke: 'Revoke',
-    revoked: 'revoked',
-    unusedLink: 'an unused link',
-    until: (date: string) => `until ${date}`,
-    signIn: 'Token',
-    signInHelp: 'A token from the hub’s operator. It is kept for this tab only.',
-    enter: 'Use it',
-    notKept:
-      'This browser keeps nothing for this page (cookies are blocked), so the token would be lost at once. Permit it to ' +
-      'keep data for this page, or ask for a link.',
-  },
-  recording: {
-    start: 'Start recording',
-    stop: 'Stop recording',
-    states: { off: '', starting: 'Starting …', on: 'The hub is recording this room.', stopping: 'Stopping …' },
-    failed: (problem: string) => `The recording has ended: ${problem}`,
-    file: (name: string, length: string, megabytes: string) => `${name}, ${length}, ${megabytes} MB`,
-  },
-  room: {
-    title: 'Shown name',
-    maxViewers: 'Maximum viewers',
-    maxSensors: 'Maximum sensors',
-    recordVoices: 'Recordings have people’s voices',
-    listed: 'Listed: shown to people without a token',
-    view: 'Who may view',
-    send: 'Who may send',
-    record: 'Who may record',
-    export: 'Who may export',
-    speak: 'Who may speak',
-    mark: 'Who may leave marks',
-    who: { anyone: 'anyone', token: 'clients with a token', admin: 'admins', nobody: 'nobody' },
-    save: 'Save',
-    saved: 'Saved. It applies to clients that join from now on.',
-    rooms: 'Rooms of this hub',
-    counts: (sensors: number, viewers: number) => `${sensors} sensors, ${viewers} people`,
-    newRoom: 'New room',
-    open: 'Open it',
-  },
-  failed: (reason: string) => `That did not work: ${reason}`,
+export const signInTexts = {
+  console: 'Console',
+  signIn: 'Token',
+  signInHelp: 'A token from the hub’s operator. It is kept for this tab only.',
+  enter: 'Use it',
+  notKept:
+    'This browser keeps nothing for this page (cookies are blocked), so the token would be lost at once. Permit it to ' +
+    'keep data for this page, or ask for a link.',
 };
 
 export const connectionTexts = {
@@ -213,6 +107,18 @@ export const panelTexts = {
     ['stick', 'walk'],
   ] as const,
   running: 'Running this room',
+};
+
+export const qualityTexts = {
+  title: 'Quality',
+  choices: { auto: 'As this machine can', best: 'Best', fine: 'Fine', medium: 'Medium', coarse: 'Coarse' },
+  readings: (step: number) => (step === 1 ? 'Every reading' : `Every ${step}${['nd', 'rd'][step - 2] ?? 'th'} reading`),
+  blended: 'blended',
+  nearest: 'the nearest surface',
+  points: 'points',
+  sensors: (shown: number, wanted: number) =>
+    shown < wanted ? `${shown} of ${wanted} sensors` : wanted === 1 ? 'the only sensor' : `all ${wanted} sensors`,
+  screen: (ratio: number) => `${(100 * ratio).toFixed(0)} % of the screen’s resolution`,
 };
 
 export const voiceTexts = {
@@ -364,29 +270,4 @@ export const problemTexts = {
     `Sensor ${name} is not placed yet: ${why} is shown at a provisional place.`,
   unplacedOnes: (names: string[]) =>
     `Sensors ${new Intl.ListFormat('en').format(names)} are not placed yet: they are shown at provisional places.`,
-};
-
-export const nudgeTexts = {
-  steps: {
-    tiltUp: 'Tilt up (Y)',
-    tiltDown: 'Tilt down (H)',
-    left: 'Turn left (U)',
-    away: 'Away from you (I)',
-    right: 'Turn right (O)',
-    up: 'Up (P)',
-    toLeft: 'To the left (J)',
-    towards: 'Towards you (K)',
-    toRight: 'To the right (L)',
-    down: 'Down (;)',
-  },
-  putHere: 'Where I stand and look',
-  tryIt: 'Try (Enter)',
-  putBack: 'Put back (Esc)',
-  hint: '5 cm and 2° a step; Shift: 1 cm. Within 20 cm the hub refines the pose.',
-  tried: {
-    sent: 'Trying …',
-    notMoved: 'Move the sensor first: there is no new pose to try.',
-    notConnected: 'There is no connection to the hub. Try again when it is back.',
-  },
-  noAnswer: 'Nothing has changed yet: what is said above still holds, or the hub is busy.',
 };

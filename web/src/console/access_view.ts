@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The console's access tab: makes links and tokens, shows each of them once as text and as a QR code, lists and revokes
 // them.
+import { AskingButton } from '../panel/asking_button';
 import { element, setText } from '../panel/element';
 import { checkbox, choice, labelled, submit, textField } from '../panel/form';
 import { KeyedList } from '../panel/keyed_list';
-import { consoleTexts } from '../texts';
+import { consoleTexts } from '../console_texts';
 import type { HubApi, HubToken, NewToken, Role } from './hub_api';
 import { qrCode } from './qr_code';
 
@@ -111,20 +112,13 @@ export class AccessView {
     const what = [name, texts.roles[role], once ? texts.unusedLink : undefined, revoked ? texts.revoked : texts.until(until)].filter(Boolean).join(' · ');
     const item = element('li', { class: revoked ? 'gone' : '' }, element('span', {}, what));
     if (revoked) return item;
-    const button = element(
-      'button',
-      { type: 'button', class: 'plain', 'aria-label': `${texts.revoke}: ${name || role}` },
-      texts.revoke,
-    );
-    button.addEventListener(
-      'click',
-      () =>
-        void this.trying(async () => {
-          await this.api.revoke(id);
-          this.showList(await this.api.tokens());
-        }),
-    );
-    item.append(button);
+    const asked = { label: texts.revoke, question: texts.reallyRevoke, of: name || role };
+    const button = new AskingButton(asked, () =>
+      void this.trying(async () => {
+        await this.api.revoke(id);
+        this.showList(await this.api.tokens());
+      }));
+    item.append(button.root);
     return item;
   }
 }

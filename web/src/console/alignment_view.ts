@@ -5,11 +5,11 @@ import { element } from '../panel/element';
 import { KeyedList } from '../panel/keyed_list';
 import { NudgeControls, type NudgeEvents } from '../panel/nudge_controls';
 import type { RoomSensor } from '../room_roster';
-import { consoleTexts as texts } from '../texts';
+import { consoleTexts as texts } from '../console_texts';
 import { svg } from '../panel/svg';
 import type { Pair } from './pair_watch';
 import { PlaceRow } from './place_row';
-import { drawMap, gapGrade } from './room_map';
+import { drawMap, gapGrade, type MapPerson } from './room_map';
 
 export class AlignmentView {
   readonly root = element('div', { class: 'alignment' });
@@ -18,7 +18,7 @@ export class AlignmentView {
   private readonly places = element('ul', { class: 'places' });
   private readonly nudgeNote = element('p', { class: 'note' }, texts.nudgeNeedsAdmin);
   private readonly nudge: NudgeControls;
-  private readonly list: KeyedList<RoomSensor>;
+  private readonly list: KeyedList<RoomSensor, PlaceRow>;
   private entries: readonly RoomSensor[] = [];
   private mayNudge = false;
 
@@ -26,8 +26,10 @@ export class AlignmentView {
     this.nudge = new NudgeControls(nudge);
     const none = element('li', { class: 'empty' }, texts.noSensors);
     this.list = new KeyedList(this.places, ({ id, name }) => `${id} ${name}`, (entry) => this.place(entry), none);
+    this.map.addEventListener('click', ({ target }) => this.pressed(target as Element));
     this.root.append(
       this.map,
+      element('p', { class: 'note' }, texts.mapHelp),
       element('h3', {}, texts.placesTitle),
       this.places,
       this.nudgeNote,
@@ -42,11 +44,18 @@ export class AlignmentView {
     this.nudgeNote.hidden = may;
   }
 
-  show(entries: readonly RoomSensor[], pairs: readonly Pair[]): void {
-    drawMap(this.map, entries, pairs);
+  show(entries: readonly RoomSensor[], pairs: readonly Pair[], people: readonly MapPerson[] = []): void {
+    drawMap(this.map, entries, pairs, people);
     this.showPairs(entries, pairs);
     this.entries = entries;
     this.list.show(entries);
+  }
+
+  /** A sensor in the map: its row is shown. */
+  private pressed(target: Element): void {
+    const id = target.getAttribute('data-sensor');
+    if (id === null) return;
+    for (const row of this.list.shown) if (String(row.id) === id) row.point();
   }
 
   private place(entry: RoomSensor): PlaceRow {

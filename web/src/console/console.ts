@@ -4,10 +4,12 @@
 import type { ConsoleRights } from '../lazy_console';
 import { element } from '../panel/element';
 import type { NudgeEvents } from '../panel/nudge_controls';
+import { nameOf } from '../panel/people_list';
 import type { RoomSensor } from '../room_roster';
 import type { RoomState } from '../room_state';
 import type { ViewFrame } from '../stream/protocol';
-import { consoleTexts as texts } from '../texts';
+import type { ViewState } from '../view/view_state';
+import { consoleTexts as texts } from '../console_texts';
 import { AccessView } from './access_view';
 import { AlignmentView } from './alignment_view';
 import type { HubApi, HubSensor, HubViewer } from './hub_api';
@@ -16,10 +18,14 @@ import { PeopleView } from './people_view';
 import { RecordingView } from './recording_view';
 import { RecordingsApi } from './recordings_api';
 import { RecordingsView } from './recordings_view';
+import type { MapPerson } from './room_map';
 import { RoomView } from './room_view';
 import { SensorCards } from './sensor_cards';
 import { Tabs } from './tabs';
+import './chart.css';
 import './console.css';
+import './room_map.css';
+import './room_tab.css';
 
 const sample_ms = 1000;
 const askEvery = 2; // samples
@@ -27,6 +33,8 @@ const listEvery = 10; // samples
 
 export interface ConsoleEvents {
   closed(): void;
+  /** Where this viewer stands. */
+  here(): ViewState;
   nudge: NudgeEvents;
 }
 
@@ -62,7 +70,7 @@ export class Console {
     this.access = new AccessView(api, room, hubAddress);
     this.recordings = new RecordingsView(new RecordingsApi(api, room));
     this.recording = new RecordingView(api, room, () => void this.recordings.refresh());
-    this.settings = new RoomView(api, room);
+    this.settings = new RoomView(api, room, () => events.here());
     this.tabs = new Tabs(this.tabList(), (id) => this.tabChosen(id));
     this.close.addEventListener('click', () => this.setOpen(false));
     root.append(element('header', {}, element('h2', {}, texts.title), this.close), this.recording.root, this.tabs.root);
@@ -140,8 +148,16 @@ export class Console {
     }
     if (this.samples % listEvery === 0 && this.tabs.current === 'recordings') this.tabChosen('recordings');
     this.pairs.step(entries);
-    this.alignment.show(entries, this.pairs.pairs);
+    this.alignment.show(entries, this.pairs.pairs, this.peopleInRoom());
     this.showPeople();
+  }
+
+  private peopleInRoom(): MapPerson[] {
+    return (this.state.roster?.viewers ?? []).flatMap((viewer) => {
+      const head = this.state.poses.get(viewer.id)?.head;
+      if (!head || viewer.relays || viewer.id === this.state.welcome?.viewerId) return [];
+      return [{ x: head.x, z: head.z, color: `#${viewer.colorRgb.toString(16).padStart(6, '0')}`, name: nameOf(viewer) }];
+    });
   }
 
   private showPeople(): void {

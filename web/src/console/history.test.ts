@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { expect, test } from 'vitest';
-import { chartPath, History, keptReadings, scaleOf } from './history';
+import { chartPath, readingAt, History, keptReadings, scaleOf } from './history';
 
 test('a history keeps the newest readings only', () => {
   const history = new History();
@@ -22,4 +22,13 @@ test('a scale is a round number that all readings fit under', () => {
   expect(scaleOf([1, 17, undefined], 5)).toBe(20);
   expect(scaleOf([], 30)).toBe(50);
   expect(scaleOf([100], 1)).toBe(100);
+});
+
+test('the reading under the mouse is found with its age', () => {
+  const history = new History();
+  for (let i = 0; i < keptReadings; i++) history.add(i);
+  expect(readingAt(history.readings, 1)).toEqual({ value: keptReadings - 1, age_s: 0 });
+  expect(readingAt(history.readings, 0)).toEqual({ value: 0, age_s: keptReadings - 1 });
+  expect(readingAt([7], 0.5).value).toBeUndefined();
+  expect(readingAt([7], 1.2)).toEqual({ value: 7, age_s: 0 });
 });

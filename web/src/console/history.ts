@@ -46,3 +46,9 @@ export function scaleOf(readings: readonly (number | undefined)[], least: number
   const power = 10 ** Math.floor(Math.log10(most));
   return [1, 2, 5, 10].map((factor) => factor * power).find((round) => round >= most)!;
 }
+
+/** The value at a share of the chart's width, 1 being now, and how long ago that was. */
+export function readingAt(readings: readonly (number | undefined)[], share: number): { value: number | undefined; age_s: number } {
+  const age_s = Math.round((1 - Math.min(1, Math.max(0, share))) * (keptReadings - 1));
+  return { value: readings[readings.length - 1 - age_s], age_s };
+}

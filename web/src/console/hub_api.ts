@@ -5,6 +5,14 @@
 export type Who = 'anyone' | 'token' | 'admin' | 'nobody';
 export type Role = 'sensor' | 'viewer' | 'hub' | 'admin';
 
+/** Where people enter; metres, 0 degrees look along -z, counter-clockwise from above. */
+export interface StartPosition {
+  x: number;
+  z: number;
+  eye_height?: number;
+  yaw_deg?: number;
+}
+
 export interface RoomSettings {
   name?: string;
   title?: string;
@@ -18,6 +26,7 @@ export interface RoomSettings {
   speak?: Who;
   mark?: Who;
   record_voices?: boolean;
+  start_positions?: StartPosition[];
 }
 
 export interface HubRoom extends RoomSettings {

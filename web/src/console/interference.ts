@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the console says about a sensor that the infrared light of other cameras disturbs: figures where something is
 // disturbed, and the hub's advice. Pure.
-import { consoleTexts } from '../texts';
+import { consoleTexts } from '../console_texts';
 import type { HubInterference } from './hub_api';
 
 const texts = consoleTexts.interference;

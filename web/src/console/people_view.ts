@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The console's people tab: the viewers, their picture quality, and, for admins, a way to remove a viewer.
 import type { ViewerEntry } from '../gen/control_pb';
+import { AskingButton } from '../panel/asking_button';
 import { element, setText } from '../panel/element';
 import { milliseconds, perSecond } from '../panel/format';
 import { KeyedList, type Row } from '../panel/keyed_list';
-import { consoleTexts, panelTexts } from '../texts';
+import { consoleTexts } from '../console_texts';
+import { panelTexts } from '../texts';
 import type { HubViewer } from './hub_api';
 
 const texts = consoleTexts.people;
@@ -67,13 +69,8 @@ export class PeopleView {
   }
 
   private wayOut(viewer: number, name: string): HTMLElement {
-    const button = element(
-      'button',
-      { type: 'button', class: 'plain', 'aria-label': `${texts.sendAway}: ${name}` },
-      texts.sendAway,
-    );
-    button.addEventListener('click', () => this.events.sendAway(viewer));
-    return button;
+    const asked = { label: texts.sendAway, question: texts.reallySendAway, of: name };
+    return new AskingButton(asked, () => this.events.sendAway(viewer)).root;
   }
 
   /** A switch: pressed while the person is muted. */

@@ -7,7 +7,7 @@ import type { NudgeControls } from '../panel/nudge_controls';
 import { isDoubtful } from '../panel/placement_tag';
 import type { RoomSensor } from '../room_roster';
 import { mayBeProposed, type SensorPose } from '../sensor_pose';
-import { consoleTexts as texts } from '../texts';
+import { consoleTexts as texts } from '../console_texts';
 
 function placeOf({ state, source, expectedErrorMm }: SensorPose): string {
   if (state === 'moved') return texts.moved;
@@ -31,6 +31,8 @@ export class PlaceRow implements Row<RoomSensor> {
   private readonly notes = element('div');
   private shown = '';
 
+  readonly id: number;
+
   constructor(
     { id, name }: RoomSensor,
     private readonly nudge: NudgeControls,
@@ -38,13 +40,20 @@ export class PlaceRow implements Row<RoomSensor> {
     changed: () => void,
   ) {
     const line = element('div', { class: 'line' }, element('strong', {}, name), this.place, this.button);
-    this.root = element('li', {}, line, this.notes);
+    this.id = id;
+    this.root = element('li', { tabindex: '-1' }, line, this.notes);
     this.button.addEventListener('click', () => {
       const begins = nudge.moving !== id;
       nudge.choose(begins ? id : undefined);
       changed();
       if (begins) nudge.focus();
     });
+  }
+
+  /** Shows the row and takes the focus there. */
+  point(): void {
+    this.root.scrollIntoView({ block: 'nearest' });
+    this.root.focus();
   }
 
   update({ id, pose }: RoomSensor): void {

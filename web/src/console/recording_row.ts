@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One recording in the console's list: what it is, and what can be done with it. Deleting takes a second press.
+// One recording in the console's list: what it is, and what can be done with it.
+import { AskingButton } from '../panel/asking_button';
 import { element, setText } from '../panel/element';
 import { textField } from '../panel/form';
 import { duration, megabytes } from '../panel/format';
@@ -35,11 +36,10 @@ export class RecordingRow implements Row<KeptRecording> {
   private readonly play = element('a', { class: 'plain' }, texts.play);
   private readonly download: HTMLButtonElement;
   private readonly rename: HTMLButtonElement;
-  private readonly remove: HTMLButtonElement;
+  private readonly remove: AskingButton;
   private readonly actions: HTMLElement;
   private readonly field = textField(longestName);
   private readonly form = element('form', { hidden: '' });
-  private wasAsked = false;
 
   constructor(
     private readonly called: string,
@@ -50,9 +50,9 @@ export class RecordingRow implements Row<KeptRecording> {
     this.play.setAttribute('aria-label', texts.of(texts.play, called));
     this.download = this.button(texts.download, () => events.download(called));
     this.rename = this.button(texts.rename, () => this.setRenaming(true));
-    this.remove = this.button(texts.remove, () => this.removeOrAsk());
-    this.remove.addEventListener('blur', () => this.ask(false));
-    this.actions = element('span', { class: 'actions' }, this.play, this.download, this.rename, this.remove);
+    const asked = { label: texts.remove, question: texts.reallyRemove, of: called };
+    this.remove = new AskingButton(asked, () => events.remove(called));
+    this.actions = element('span', { class: 'actions' }, this.play, this.download, this.rename, this.remove.root);
     setText(this.name, called);
     this.fillForm();
     this.root.append(this.name, this.facts, this.trouble, this.actions, this.form);
@@ -64,7 +64,7 @@ export class RecordingRow implements Row<KeptRecording> {
     setText(this.trouble, [texts.states[state], problem].filter(Boolean).join(' '));
     this.trouble.classList.toggle('running', state === 'running');
     this.play.hidden = state === 'running' || state === 'unreadable';
-    for (const button of [this.download, this.rename, this.remove]) button.disabled = state === 'running';
+    for (const button of [this.download, this.rename, this.remove.root]) button.disabled = state === 'running';
   }
 
   private fillForm(): void {
@@ -98,27 +98,9 @@ export class RecordingRow implements Row<KeptRecording> {
     else this.rename.focus();
   }
 
-  private removeOrAsk(): void {
-    if (!this.wasAsked) return this.ask(true);
-    this.ask(false);
-    this.events.remove(this.called);
-  }
-
-  private ask(wasAsked: boolean): void {
-    this.wasAsked = wasAsked;
-    this.label(this.remove, wasAsked ? texts.reallyRemove : texts.remove);
-    this.remove.classList.toggle('asks', wasAsked);
-  }
-
   private button(text: string, run: () => void): HTMLButtonElement {
-    const button = element('button', { type: 'button', class: 'plain' });
-    this.label(button, text);
+    const button = element('button', { type: 'button', class: 'plain', 'aria-label': texts.of(text, this.called) }, text);
     button.addEventListener('click', run);
     return button;
-  }
-
-  private label(button: HTMLButtonElement, text: string): void {
-    setText(button, text);
-    button.setAttribute('aria-label', texts.of(text, this.called));
   }
 }

@@ -2,7 +2,7 @@
 // The console's bar: starts and stops the hub's recording of the room.
 import { element, setText } from '../panel/element';
 import { duration, megabytes } from '../panel/format';
-import { consoleTexts } from '../texts';
+import { consoleTexts } from '../console_texts';
 import type { HubApi, HubRecording } from './hub_api';
 
 const texts = consoleTexts.recording;

@@ -3,7 +3,7 @@
 import { element, setText } from '../panel/element';
 import { KeyedList } from '../panel/keyed_list';
 import { recordingTexts as texts } from '../recording_texts';
-import { consoleTexts } from '../texts';
+import { consoleTexts } from '../console_texts';
 import { RecordingRow } from './recording_row';
 import type { KeptRecording, RecordingList, RecordingsApi } from './recordings_api';
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A map of the room from above: each sensor with its field of view as a wedge, and a line between sensors that see the
-// same surfaces.
+// A map of the room from above: each sensor with its field of view as a wedge, a line between sensors that see the same
+// surfaces, people, and a bar of a metre.
 import { isDoubtful } from '../panel/placement_tag';
 import type { RoomSensor } from '../room_roster';
-import { consoleTexts as texts } from '../texts';
+import { consoleTexts as texts } from '../console_texts';
 import { sensorColor } from '../view/sensor_color';
 import { spotOf, wedge, type Spot } from '../panel/sensor_wedge';
 import { svg } from '../panel/svg';
@@ -26,7 +26,7 @@ function label(text: string, x: number, y: number, className: string): SVGElemen
 
 function dot({ entry, x, y, heading }: Spot): SVGElement[] {
   const ring = { cx: x, cy: y, r: 0.13, fill: sensorColor(entry.id), 'stroke-width': 0.05 };
-  const circle = svg('circle', { ...ring, class: isDoubtful(entry.pose) ? 'doubtful' : 'placed', opacity: entry.online ? 1 : 0.4 });
+  const circle = svg('circle', { ...ring, 'data-sensor': entry.id, class: isDoubtful(entry.pose) ? 'doubtful' : 'placed', opacity: entry.online ? 1 : 0.4 });
   const behind = [x - 0.34 * Math.cos(heading), y - 0.34 * Math.sin(heading) + 0.08] as const;
   return [circle, label(entry.name, ...behind, 'name')];
 }
@@ -40,11 +40,31 @@ function link(a: Spot, b: Spot, pair: Pair): SVGElement[] {
   ];
 }
 
+export interface MapPerson {
+  x: number; // the world's x and z, metres
+  z: number;
+  color: string;
+  name: string;
+}
+
+function person({ x, z, color, name }: MapPerson): SVGElement {
+  const spot = svg('circle', { cx: x, cy: z, r: 0.1, fill: color, class: 'person' });
+  const title = svg('title', {});
+  title.textContent = name;
+  spot.append(title);
+  return spot;
+}
+
+function metre(left: number, bottom: number): SVGElement[] {
+  const bar = svg('path', { class: 'scale', d: `M${left} ${bottom - 0.08}v0.08h1v-0.08`, 'stroke-width': 0.03 });
+  return [bar, label('1 m', left + 0.5, bottom - 0.08, 'name')];
+}
+
 /** Replaces the content of `into`. */
-export function drawMap(into: SVGElement, entries: readonly RoomSensor[], pairs: readonly Pair[]): void {
+export function drawMap(into: SVGElement, entries: readonly RoomSensor[], pairs: readonly Pair[], people: readonly MapPerson[]): void {
   const spots = entries.map(spotOf);
-  const xs = spots.map(({ x }) => x);
-  const ys = spots.map(({ y }) => y);
+  const xs = [...spots, ...people].map(({ x }) => x);
+  const ys = [...spots.map(({ y }) => y), ...people.map(({ z }) => z)];
   const left = Math.min(...xs) - margin_m;
   const top = Math.min(...ys) - margin_m;
   const width = Math.max(...xs) + margin_m - left;
@@ -56,5 +76,6 @@ export function drawMap(into: SVGElement, entries: readonly RoomSensor[], pairs:
     const [a, b] = [spot(pair.a), spot(pair.b)];
     return a && b ? link(a, b, pair) : [];
   });
-  into.replaceChildren(...spots.map(wedge), ...links, ...spots.flatMap(dot));
+  const scale = spots.length > 0 ? metre(left + 0.15, top + height - 0.12) : [];
+  into.replaceChildren(...spots.map(wedge), ...links, ...people.map(person), ...spots.flatMap(dot), ...scale);
 }

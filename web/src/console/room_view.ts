@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The console's room tab: the room's settings, the hub's other rooms, and opening a new room.
+import { AskingButton } from '../panel/asking_button';
 import { element, setText } from '../panel/element';
-import { consoleTexts } from '../texts';
+import { consoleTexts } from '../console_texts';
+import { panelTexts } from '../texts';
 import { checkbox, choice, labelled, numberField, submit, textField } from '../panel/form';
-import type { HubApi, HubRoom, Who } from './hub_api';
+import type { HubApi, HubRoom, StartPosition, Who } from './hub_api';
+import { StartPlaces, type StartPlacesEvents } from './start_places';
 
 const texts = consoleTexts.room;
 const longestName = 64;
@@ -16,22 +19,30 @@ export class RoomView {
   private readonly form = element('form');
   private readonly rooms = element('ul', { class: 'rooms' });
   private readonly newName = textField(longestName);
+  private readonly closing = element('p', { class: 'closing' });
+  private readonly starts: StartPlaces;
+  private closes = ''; // the room that the button closes
 
   constructor(
     private readonly api: HubApi,
     private readonly room: () => string,
+    here: StartPlacesEvents['here'],
   ) {
+    this.starts = new StartPlaces({ here, changed: (places) => void this.trying(() => this.setStarts(places)) });
     const opening = element('form', { class: 'opening' }, labelled(texts.newRoom, this.newName), submit(texts.open));
     opening.addEventListener('submit', (event) => {
       event.preventDefault();
       void this.trying(() => this.open());
     });
-    this.root.append(this.form, this.said, element('h3', {}, texts.rooms), this.rooms, opening);
+    this.root.append(this.form, this.said, this.starts.root, element('h3', {}, texts.rooms), this.rooms, opening, this.closing);
   }
 
   async refresh(): Promise<void> {
     await this.trying(async () => {
-      this.showSettings(await this.api.room(this.room()));
+      const room = await this.api.room(this.room());
+      this.showSettings(room);
+      this.starts.show(room.start_positions ?? []);
+      this.offerClosing(room.name);
       this.showRooms(await this.api.rooms());
     });
   }
@@ -71,6 +82,20 @@ export class RoomView {
     };
   }
 
+  private async setStarts(places: StartPosition[]): Promise<void> {
+    const { start_positions = [] } = await this.api.changeRoom(this.room(), { start_positions: places });
+    this.starts.show(start_positions);
+    setText(this.said, texts.starts.changed);
+  }
+
+  private offerClosing(name: string): void {
+    if (name === this.closes) return;
+    this.closes = name;
+    const asked = { label: texts.close, question: texts.reallyClose, of: name };
+    const button = new AskingButton(asked, () => void this.trying(() => this.api.closeRoom(name)));
+    this.closing.replaceChildren(button.root, element('span', { class: 'note' }, texts.closeHelp));
+  }
+
   private async open(): Promise<void> {
     await this.api.openRoom({ name: this.newName.value });
     this.newName.value = '';
@@ -81,7 +106,7 @@ export class RoomView {
     const items = rooms.map(({ name, title, sensors, viewers }) => {
       const link = element('a', { href: `?room=${encodeURIComponent(name)}` }, title || name);
       if (name === this.room()) link.setAttribute('aria-current', 'page');
-      return element('li', {}, link, element('span', { class: 'note' }, texts.counts(sensors, viewers)));
+      return element('li', {}, link, element('span', { class: 'note' }, panelTexts.inRoom(sensors, viewers)));
     });
     this.rooms.replaceChildren(...items);
   }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The console's sensors tab: for each sensor its picture, its traffic over time, and the accuracy of its clock.
+import { AskingButton } from '../panel/asking_button';
 import { element, setText } from '../panel/element';
 import { KeyedList, type Row } from '../panel/keyed_list';
 import { placementTag } from '../panel/placement_tag';
 import type { RoomSensor } from '../room_roster';
 import type { RoomState } from '../room_state';
 import type { ViewFrame } from '../stream/protocol';
-import { consoleTexts as texts } from '../texts';
+import { consoleTexts as texts } from '../console_texts';
 import { sensorColor } from '../view/sensor_color';
 import { Chart } from './chart';
 import type { HubSensor } from './hub_api';
@@ -16,6 +17,7 @@ import { Thumbnail } from './thumbnail';
 class SensorCard implements Row<RoomSensor> {
   readonly root = element('article', { class: 'card' });
   private readonly thumbnail: Thumbnail;
+  private readonly seen = element('div', { class: 'seen' });
   private readonly clock = element('p', { class: 'note' });
   private readonly interference = element('p', { class: 'note interference' });
   private readonly tag = element('span');
@@ -33,17 +35,17 @@ class SensorCard implements Row<RoomSensor> {
     public entry: RoomSensor,
     forget: (sensor: string) => void,
   ) {
-    const label = `${texts.forget}: ${entry.name}`;
-    this.wayOut = element('button', { type: 'button', class: 'plain', 'aria-label': label }, texts.forget);
-    this.wayOut.addEventListener('click', () => forget(entry.name));
+    const asked = { label: texts.forget, question: texts.reallyForget, of: entry.name };
+    this.wayOut = new AskingButton(asked, () => forget(entry.name)).root;
     this.wayOut.hidden = true;
-    this.thumbnail = new Thumbnail(entry.name);
+    this.thumbnail = new Thumbnail(entry.name, (large) => this.seen.classList.toggle('large', large));
     const swatch = element('span', { class: 'swatch', 'aria-hidden': 'true' });
     swatch.style.background = sensorColor(entry.id);
     const charts = Object.values(this.charts).map((chart) => chart.root);
+    this.seen.append(this.thumbnail.root, element('div', { class: 'charts' }, ...charts));
     this.root.append(
       element('h3', {}, swatch, entry.name, this.tag),
-      element('div', { class: 'seen' }, this.thumbnail.root, element('div', { class: 'charts' }, ...charts)),
+      this.seen,
       this.clock,
       this.interference,
       this.wayOut,

@@ -1,35 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
 // A small picture of a sensor's view: every fourth pixel of its newest frame, about once a second; depth in grey where
-// there is no colour.
+// there is no colour. A press makes it large: every pixel, several times a second.
+import { consoleTexts } from '../console_texts';
 import { element } from '../panel/element';
 import type { ViewFrame } from '../stream/protocol';
 
-const every_px = 4;
-const interval_ms = 900;
+const texts = consoleTexts.thumbnail;
 const farthest_mm = 6000;
+const small = { every_px: 4, interval_ms: 900 };
+const large = { every_px: 1, interval_ms: 180 };
 
 export class Thumbnail {
-  readonly root = element('canvas', { class: 'thumbnail', width: '128', height: '106' });
-  private readonly paint = this.root.getContext('2d')!;
+  private readonly canvas = element('canvas', { class: 'thumbnail', width: '128', height: '106', role: 'img' });
+  readonly root = element('button', { type: 'button', class: 'picture', title: texts.larger }, this.canvas);
+  private readonly paint = this.canvas.getContext('2d')!;
   private shownAt_ms = -Infinity;
+  private size = small;
 
-  constructor(name: string) {
-    this.root.setAttribute('role', 'img');
-    this.root.setAttribute('aria-label', `What ${name} sees`);
+  constructor(
+    name: string,
+    private readonly sized: (isLarge: boolean) => void,
+  ) {
+    this.canvas.setAttribute('aria-label', texts.seenBy(name));
+    this.root.setAttribute('aria-pressed', 'false');
+    this.root.addEventListener('click', () => this.setLarge(this.size === small));
+  }
+
+  private setLarge(isLarge: boolean): void {
+    this.size = isLarge ? large : small;
+    this.shownAt_ms = -Infinity;
+    this.root.setAttribute('aria-pressed', String(isLarge));
+    this.root.title = isLarge ? texts.smaller : texts.larger;
+    this.sized(isLarge);
   }
 
   offer(frame: ViewFrame, now_ms: number): void {
+    const { every_px, interval_ms } = this.size;
     if (now_ms - this.shownAt_ms < interval_ms) return;
     this.shownAt_ms = now_ms;
     const width = Math.floor(frame.width / every_px);
     const height = Math.floor(frame.height / every_px);
     const picture = this.paint.createImageData(width, height);
-    const small = new Uint32Array(picture.data.buffer);
+    const pixels = new Uint32Array(picture.data.buffer);
     const pixelAt = frame.rgba ? colorOf(frame.rgba) : greyOf(frame.depth_mm);
     for (let y = 0; y < height; y++) {
-      for (let x = 0; x < width; x++) small[y * width + x] = pixelAt(y * every_px * frame.width + x * every_px);
+      for (let x = 0; x < width; x++) pixels[y * width + x] = pixelAt(y * every_px * frame.width + x * every_px);
     }
-    if (this.root.width !== width || this.root.height !== height) Object.assign(this.root, { width, height });
+    if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
     this.paint.putImageData(picture, 0, 0);
   }
 }

@@ -10,6 +10,10 @@ test('nothing is said while everything is drawn as chosen', () => {
   expect(drawingNote({ ...all, mixes: false, shown: 0, wanted: 0 })).toBe('');
 });
 
+test('nor while somebody has chosen the quality, which is said elsewhere', () => {
+  expect(drawingNote({ ...all, mixes: false, shown: 3 }, false)).toBe('');
+});
+
 test('surfaces that are not blended, and sensors that are left out, are mentioned', () => {
   expect(drawingNote({ ...all, mixes: false })).toMatch(/too slow to blend/);
   expect(drawingNote({ ...all, mixes: false, shown: 3 })).toMatch(/blend.* 3 of 4 sensors/);

@@ -2,7 +2,7 @@
 // Places a sensor by hand, for users with an admin's token: buttons, and keys while these are on the screen and they or
 // the room have the focus. The pushed pose is shown on this page only. `try` sends it to the aligner, which refines or
 // rejects it.
-import { nudgeTexts as texts } from '../texts';
+import { nudgeTexts as texts } from '../console_texts';
 import type { HandStep } from '../view/nudge';
 import { element, setText } from './element';
 

@@ -6,10 +6,10 @@ import { themes, type Theme } from '../look';
 import type { RoomState } from '../room_state';
 import type { Place } from '../own_places';
 import type { Sound } from '../sound';
-import { consoleTexts, headsetTexts, mapTexts, panelTexts as texts, viewTexts, voiceTexts } from '../texts';
-import { drawModes, type DrawMode } from '../view/draw_mode';
+import { headsetTexts, mapTexts, panelTexts as texts, signInTexts, viewTexts, voiceTexts } from '../texts';
+import { drawModes, type Drawing, type DrawMode } from '../view/draw_mode';
+import type { Quality, QualityChoice } from '../view/quality_ladder';
 import type { ViewState } from '../view/view_state';
-import { drawingNote, type Drawing } from './drawing_note';
 import { element, setText } from './element';
 import { labelled, submit, textField } from './form';
 import { clockError, megabytes, milliseconds, perSecond } from './format';
@@ -19,6 +19,7 @@ import { NameForm } from './name_form';
 import { PeopleList } from './people_list';
 import { PlaceList, type PlaceEvents, type RoomPlaces } from './place_list';
 import { problems } from './problems';
+import { QualityMenu } from './quality_menu';
 import { RadioGroup } from './radio_group';
 import { RoomList } from './room_list';
 import { SensorList } from './sensor_list';
@@ -31,6 +32,7 @@ const longestToken = 4096;
 
 export interface PanelEvents {
   modeChosen(mode: DrawMode): void;
+  qualityChosen(quality: QualityChoice): void;
   themeChosen(theme: Theme): void;
   sensorSwitched(sensor: string, visible: boolean): void;
   consoleWanted(): void;
@@ -67,7 +69,7 @@ export class Panel {
   private readonly dot = element('span', { class: 'dot', 'aria-hidden': 'true' });
   private readonly title = element('h1', {}, 'roomcast');
   private readonly phase = element('p', { class: 'phase', role: 'status' });
-  private readonly console = element('button', { type: 'button', class: 'console', hidden: '' }, consoleTexts.open);
+  private readonly console = element('button', { type: 'button', class: 'console', hidden: '' }, signInTexts.console);
   private readonly toggle = element('button', { type: 'button', class: 'toggle', 'aria-controls': 'panel-body' });
   private readonly body = element('div', { id: 'panel-body', class: 'body' });
   private readonly troubles = new Troubles();
@@ -75,7 +77,7 @@ export class Panel {
   private readonly again = element('button', { type: 'button', class: 'plain' }, texts.tryAgain);
   private readonly tokenForm = this.makeTokenForm();
   private readonly signIn = element('details', { class: 'help' }, element('summary', {}, texts.running), this.tokenForm);
-  private readonly drawing = element('p', { class: 'drawing', hidden: '' });
+  readonly quality: QualityMenu;
   private readonly sensors: SensorList;
   private readonly people: PeopleList;
   private readonly name: NameForm;
@@ -113,6 +115,7 @@ export class Panel {
     this.headset = new HeadsetControls(events.headset);
     const modes = drawModes.map((value) => ({ value, ...texts.modes[value] }));
     this.modes = new RadioGroup('mode', texts.drawnAs, modes, (mode) => events.modeChosen(mode));
+    this.quality = new QualityMenu((quality) => events.qualityChosen(quality));
     const looks = themes.map((value) => ({ value, label: texts.themes[value] }));
     this.themes = new RadioGroup('theme', texts.theme, looks, (theme) => events.themeChosen(theme));
     this.toggle.addEventListener('click', () => this.setOpen(!this.open));
@@ -212,9 +215,8 @@ export class Panel {
     this.tools.setGuide(offered, on);
   }
 
-  showDrawing(drawing: Drawing): void {
-    setText(this.drawing, drawingNote(drawing));
-    this.drawing.hidden = this.drawing.textContent === '';
+  showDrawing(drawing: Drawing, quality: Quality): void {
+    this.quality.show(drawing, quality);
   }
 
   /** What the user can do about the end of the connection: give a token where one is needed, or try again. */
@@ -238,7 +240,7 @@ export class Panel {
       section(voiceTexts.title, this.sound.root),
       this.mapSection,
       this.roomChoice,
-      section(texts.drawnAs, this.modes.root, this.drawing),
+      section(texts.drawnAs, this.modes.root, this.quality.root),
       section(viewTexts.title, this.tools.root),
       section(headsetTexts.title, this.headset.root),
       section(texts.theme, this.themes.root),
@@ -263,7 +265,7 @@ export class Panel {
   }
 
   private makeTokenForm(): HTMLElement {
-    const { signIn, signInHelp, enter } = consoleTexts.access;
+    const { signIn, signInHelp, enter } = signInTexts;
     const token = textField(longestToken);
     const said = element('p', { role: 'status' });
     const form = element('form', {}, labelled(signIn, token), element('p', {}, signInHelp), submit(enter), said);

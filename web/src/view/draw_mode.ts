@@ -8,3 +8,11 @@ export const drawModes = ['blend', 'mesh', 'points'] as const;
  * background model behind them; mesh: the nearest surface only; points: a square for each depth pixel.
  */
 export type DrawMode = (typeof drawModes)[number];
+
+/** How a room is drawn just now. */
+export interface Drawing {
+  mode: DrawMode; // as chosen
+  mixes: boolean; // surfaces are blended now
+  shown: number; // sensors drawn
+  wanted: number; // sensors with a picture that are not switched off
+}

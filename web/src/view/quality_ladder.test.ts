@@ -34,8 +34,18 @@ describe('the quality ladder', () => {
 
   test('stays at the finest grid on request, however slow', () => {
     const ladder = new QualityLadder();
-    ladder.pinToBest();
+    ladder.choose('best');
     draw(ladder, 10, () => 500);
+    expect(ladder.quality).toEqual(qualities[0]);
+  });
+
+  test('stays where one wants it, also on a quick machine, and goes on by itself afterwards', () => {
+    const ladder = new QualityLadder();
+    ladder.choose('coarse');
+    draw(ladder, 10, () => 3);
+    expect(ladder.quality).toEqual(qualities.at(-1));
+    ladder.choose('auto');
+    draw(ladder, 10, () => 3);
     expect(ladder.quality).toEqual(qualities[0]);
   });
 

@@ -20,6 +20,11 @@ export const qualities: readonly Quality[] = [
   { step: 5, pixelRatio: 0.6, sensors: 3, mixes: false }, // coarser steps hardly save time, and thin objects disappear
 ];
 
+/** As finely as the machine can keep up with, or always the same rung. */
+export const qualityChoices = ['auto', 'best', 'fine', 'medium', 'coarse'] as const;
+export type QualityChoice = (typeof qualityChoices)[number];
+const rungOf: Record<Exclude<QualityChoice, 'auto'>, number> = { best: 0, fine: 1, medium: 3, coarse: 6 };
+
 const firstRung = 3;
 const firstRungInSoftware = 4;
 const drawsToJudge = 6;
@@ -57,10 +62,11 @@ export class QualityLadder {
     this.draws = [];
   }
 
-  /** Draws as finely as possible, regardless of the time. */
-  pinToBest(): void {
-    this.rung = 0;
-    this.pinned = true;
+  /** Anything but 'auto' is drawn regardless of the time it takes. */
+  choose(choice: QualityChoice): void {
+    this.pinned = choice !== 'auto';
+    this.draws = [];
+    if (choice !== 'auto') this.rung = rungOf[choice];
   }
 
   /** `draw_ms` is the drawing time of a picture, `now_ms` any monotonic clock. True when the quality has changed. */

@@ -8,7 +8,7 @@ import { Avatars } from './avatars';
 import { bestSensors } from './best_sensors';
 import { BackgroundUpdater } from './blend/background_updater';
 import { canBlend, RoomBlend } from './blend/room_blend';
-import type { DrawMode } from './draw_mode';
+import type { Drawing, DrawMode } from './draw_mode';
 import { PlacedSensor } from './placed_sensor';
 import type { Quality } from './quality_ladder';
 import { floorGrid } from './room_marks';
@@ -56,10 +56,11 @@ export class RoomScene {
     return this.mode === 'blend' && this.mayMix;
   }
 
-  /** Sensors that are drawn, and those that would be if the machine were faster. */
-  get sensorCounts(): { shown: number; wanted: number } {
+  /** How the room is drawn now: the sensors that are, and those that would be if the machine were faster. */
+  get drawing(): Drawing {
     const wanted = [...this.placed.values()].filter((placed) => placed.wanted && placed.pictures.hasPicture);
-    return { shown: wanted.filter(({ chosen }) => chosen).length, wanted: wanted.length };
+    const shown = wanted.filter(({ chosen }) => chosen).length;
+    return { mode: this.mode, mixes: this.isMixing, shown, wanted: wanted.length };
   }
 
   private applyModeToAll(): void {

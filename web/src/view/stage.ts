@@ -6,7 +6,7 @@ import type { RoomRoster } from '../room_roster';
 import type { ViewFrame } from '../stream/protocol';
 import type { DrawMode } from './draw_mode';
 import { whenDrawn } from './gpu_fence';
-import { QualityLadder } from './quality_ladder';
+import { QualityLadder, type QualityChoice } from './quality_ladder';
 import { RoomScene } from './room_scene';
 import { drawsInSoftware } from './software_drawing';
 import { orientation, type ViewState } from './view_state';
@@ -75,6 +75,11 @@ export class Stage {
 
   setBackground(background: THREE.Color): void {
     this.room.setBackground(background);
+    this.touch();
+  }
+
+  choose(quality: QualityChoice): void {
+    this.ladder.choose(quality);
     this.touch();
   }
 
