@@ -19,7 +19,8 @@ static int write_ply(const char* path, const roomcast_point* points, size_t coun
 
 int main(int argc, char** argv) {
   char error[256];
-  roomcast_options options = {sizeof(options), argc > 1 ? argv[1] : "ws://127.0.0.1:7600", NULL, "points.c", NULL};
+  roomcast_options options = {.size = sizeof(options), .name = "points.c"};
+  options.hub = argc > 1 ? argv[1] : "ws://127.0.0.1:7600";
   roomcast_viewer* viewer = roomcast_connect(&options, error, sizeof(error));
   if (!viewer) {
     fprintf(stderr, "%s\n", error);

@@ -13,8 +13,8 @@ static uint8_t color_rgb[3 * WIDTH * HEIGHT]; /* only red is filled here */
 int main(int argc, char** argv) {
   char error[256];
   const int seconds = argc > 3 ? atoi(argv[3]) : 60;
-  const roomcast_options room = {sizeof(room), argc > 1 ? argv[1] : "ws://127.0.0.1:7600", NULL,
-                                 argc > 2 ? argv[2] : "sensor.c", NULL};
+  const roomcast_options room = {.size = sizeof(room), .hub = argc > 1 ? argv[1] : "ws://127.0.0.1:7600",
+                                 .name = argc > 2 ? argv[2] : "sensor.c"};
   const roomcast_camera camera = {sizeof(camera), WIDTH, HEIGHT, 280, 280, 159.5, 119.5, 0, 0, 0, 0, 0};
   const double world_from_depth[16] = {1, 0, 0, 0, 0, -1, 0, 1.5, 0, 0, -1, 2, 0, 0, 0, 1}; /* looks along -z */
   const roomcast_sensor_options sensor = {.size = sizeof(sensor), .depth = &camera, .fps = FPS,

@@ -20,6 +20,7 @@
 #include <boost/asio/post.hpp>
 #include <gtest/gtest.h>
 
+#include "roomcast/capi/room_fixture.h"
 #include "roomcast/capi/roomcast.h"
 #include "roomcast/client/hub_fixture.h"
 #include "roomcast/client/network_thread.h"
@@ -31,19 +32,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int kDepthWidth = 80, kDepthHeight = 60, kColorWidth = 160, kColorHeight = 120;
-
-struct End {
-  void operator()(roomcast_publisher* publisher) const { roomcast_stop_publishing(publisher); }
-  void operator()(roomcast_viewer* viewer) const { roomcast_disconnect(viewer); }
-  void operator()(roomcast_frames* frames) const { roomcast_free_frames(frames); }
-};
-using Publisher = std::unique_ptr<roomcast_publisher, End>;
-using Viewer = std::unique_ptr<roomcast_viewer, End>;
-using Frames = std::unique_ptr<roomcast_frames, End>;
-
-roomcast_options joining(const std::string& hub, const char* name) {
-  return {sizeof(roomcast_options), hub.c_str(), nullptr, name, nullptr};
-}
 
 /// A sensor as a C program describes it; lossless depth, with a colour camera of its own.
 struct Described {
@@ -96,16 +84,6 @@ roomcast_send_report send(const Publisher& publisher, const roomcast_capture& ca
   EXPECT_EQ(roomcast_send_frame(publisher.get(), &capture, &report, error, sizeof(error)), 1)
       << error;
   return report;
-}
-
-template <class Done>
-bool until(Done done) {
-  const auto give_up = std::chrono::steady_clock::now() + 10s;
-  while (!done()) {
-    if (std::chrono::steady_clock::now() > give_up) return false;
-    std::this_thread::sleep_for(5ms);
-  }
-  return true;
 }
 
 TEST(PublishingSensor, frames_that_nobody_would_watch_are_skipped_and_not_counted) {

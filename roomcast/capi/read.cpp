@@ -49,7 +49,9 @@ roomcast_frames* frames_of(roomcast_reader& reader, const recording::FrameSet& s
                      .source = PoseSource::kGiven,
                      .state = PoseState::kValid};
     const std::int64_t utc = began.count() > 0 ? (began + frame.time).count() : 0;
-    frames->sensors.push_back({&sensor, frame.pictures, reader.rays.of(sensor),
+    frames->sensors.push_back({&sensor,
+                               frame.pictures,
+                               reader.rays.of(sensor),
                                {static_cast<std::uint32_t>(set.number), frame.time.count(), utc}});
   }
   frames->room = std::move(room);

@@ -15,18 +15,8 @@
 #include "roomcast/capi/frames.h"
 #include "roomcast/capi/received_sensor.h"
 #include "roomcast/capi/room_points.h"
-#include "roomcast/client/subscriber.h"
+#include "roomcast/capi/viewer.h"
 #include "roomcast/recording/recorder/recorder.h"
-#include "roomcast/recording/recorder/unix_clock.h"
-
-struct roomcast_viewer {
-  std::unique_ptr<roomcast::client::Subscriber> subscriber;
-  std::mutex mutex;
-  roomcast::SetId last_set{};
-  std::uint64_t last_revision = 0;
-  roomcast::capi::SensorRays rays;
-  const roomcast::recording::UnixClock unix_clock;
-};
 
 struct roomcast_recorder {
   std::unique_ptr<roomcast::recording::Recorder> recorder;
@@ -125,6 +115,8 @@ roomcast_viewer* roomcast_connect(const roomcast_options* given, char* error, si
     subscriber.room = text(options.room);
     subscriber.name = text(options.name);
     subscriber.credential = client::credential_of(text(options.token));
+    subscriber.author_key = text(options.author_key);
+    subscriber.hears = options.hears != 0;
     auto opened = client::Subscriber::open(std::move(subscriber));
     if (!opened) {
       say(opened.error().message, error, error_size);

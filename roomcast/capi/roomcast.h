@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /* roomcast.h: the C interface of libroomcast.so. It receives and records live rooms, sends a
- * sensor's frames into them, and reads recordings.
+ * sensor's frames into them, takes part in what people do there (heads, voices, marks), and reads
+ * recordings.
  *
  * Units: metres and nanoseconds; depth is in millimetres, 0 where there is no reading. World frame:
  * right-handed, y up, floor at y = 0. Sensor frames: x right, y down, z forward. Matrices are
@@ -14,9 +15,9 @@
  * Threads: all functions of one roomcast_viewer, roomcast_publisher, roomcast_recorder or
  * roomcast_reader may be called from several threads at the same time, except the function that
  * ends it: that call must be the last. Different ones are independent of each other. A
- * roomcast_frames is immutable: several threads may read it until it is freed. Its pictures stay
- * valid after the viewer is disconnected. Memory that a caller passes in is read or written during
- * the call only.
+ * roomcast_frames and a roomcast_people are immutable: several threads may read them until they are
+ * freed, also after the viewer is disconnected. Memory that a caller passes in is read or written
+ * during the call only. Packets of voices go to one of the threads that wait for them.
  *
  * Versions: every later libroomcast.so.1 is compatible with this header. Structures grow only at
  * their end. Set a structure's `size` to its sizeof before each call: the library reads and writes
@@ -42,14 +43,19 @@ typedef struct roomcast_frames roomcast_frames;
 typedef struct roomcast_recorder roomcast_recorder;
 typedef struct roomcast_publisher roomcast_publisher;
 typedef struct roomcast_reader roomcast_reader;
+typedef struct roomcast_people roomcast_people;
 
 /* The room to join. Strings may be NULL: not given. */
 typedef struct roomcast_options {
   size_t size;
-  const char* hub;   /* "ws://host:port" or "wss://host:port#sha256=..." */
-  const char* room;  /* NULL: the hub's room, if it has only one */
-  const char* name;  /* shown to the others in the room */
-  const char* token; /* if the room requires one; or a one-time code */
+  const char* hub;        /* "ws://host:port" or "wss://host:port#sha256=..." */
+  const char* room;       /* NULL: the hub's room, if it has only one */
+  const char* name;       /* shown to the others in the room */
+  const char* token;      /* if the room requires one; or a one-time code */
+  const char* author_key; /* a secret of the program, by which the marks that it leaves are its own
+                             later, too, at most 64 bytes; NULL: a new one. Since 1.6.0 */
+  int32_t hears;          /* 1: gets people's voices (roomcast_next_voice). Since 1.6.0 */
+  int32_t reserved;       /* not read */
 } roomcast_options;
 
 /* The newest pictures of one sensor. Pointers are valid until the roomcast_frames is freed. */
@@ -240,6 +246,132 @@ ROOMCAST_API int roomcast_may_export_recorded(roomcast_reader* reader, char* err
                                               size_t error_size);
 /* Closes the recording and frees the reader. NULL is ignored. */
 ROOMCAST_API void roomcast_close(roomcast_reader* reader);
+
+/* ---- People and marks: since 1.6.0 ---- */
+
+/* The people in the room and what they have left there, at one moment. Waits up to `timeout_ms`
+ * until something of it differs from `known`, an earlier result, which stays valid; returns at once
+ * where `known` is NULL. NULL: nothing has changed. Without a connection there are no people. Free
+ * the result with roomcast_free_people. */
+ROOMCAST_API roomcast_people* roomcast_wait_people(roomcast_viewer* viewer,
+                                                   const roomcast_people* known, int timeout_ms);
+ROOMCAST_API void roomcast_free_people(roomcast_people* people);
+
+/* A person in the room. Head and hand frames as in roomcast_pose. */
+typedef struct roomcast_person {
+  size_t size;
+  uint32_t id;        /* the speaker's in roomcast_voice */
+  uint8_t r, g, b, a; /* the person's colour for everybody; a: 255 */
+  const char* name;   /* valid until the roomcast_people is freed; may be empty */
+  int32_t is_self;    /* 1: this viewer */
+  int32_t speaking;   /* known to viewers that hear, as the next one */
+  int32_t muted;      /* by an admin */
+  int32_t has_head, has_left_hand, has_right_hand; /* 0: not known, and its matrix is all 0 */
+  double world_from_head[16], world_from_left_hand[16], world_from_right_hand[16];
+} roomcast_person;
+
+ROOMCAST_API size_t roomcast_person_count(const roomcast_people* people);
+/* Fills `person`. 0: there is no such person. */
+ROOMCAST_API int roomcast_get_person(const roomcast_people* people, size_t number,
+                                     roomcast_person* person);
+
+/* Values of roomcast_mark.kind. */
+#define ROOMCAST_MARK_NOTE 1     /* words at a point */
+#define ROOMCAST_MARK_SKETCH 2   /* a line of 2 to 512 points; no words */
+#define ROOMCAST_MARK_DISTANCE 3 /* between two points; no words */
+#define ROOMCAST_MARK_PLACE 4    /* a name, where somebody stands, and what they look at */
+
+/* What somebody has left in the room for everybody. Pointers are valid until the roomcast_people is
+ * freed. */
+typedef struct roomcast_mark {
+  size_t size;
+  uint32_t id;
+  int32_t kind;        /* ROOMCAST_MARK_... */
+  const float* points; /* x, y, z of each in the world frame */
+  size_t point_count;
+  const char* text; /* of a note, at most 280 bytes, and a place, at most 64; else NULL or empty */
+  const char* author; /* who left it; may be empty */
+  uint8_t r, g, b, a; /* the author's colour; a: 255 */
+  int32_t own;        /* 1: this viewer may remove it. An admin may remove all */
+} roomcast_mark;
+
+/* All marks, in the order in which they were left. */
+ROOMCAST_API size_t roomcast_mark_count(const roomcast_people* people);
+/* Fills `mark`. 0: there is no such mark. */
+ROOMCAST_API int roomcast_get_mark(const roomcast_people* people, size_t number,
+                                   roomcast_mark* mark);
+/* Leaves a mark, of which kind, points and text count, and waits for the hub's answer, at most 5 s.
+ * `id` gets its ID; may be NULL. 0: it was not left; `error` says why. */
+ROOMCAST_API int roomcast_leave_mark(roomcast_viewer* viewer, const roomcast_mark* mark,
+                                     uint32_t* id, char* error, size_t error_size);
+/* Likewise. 0: it is still there, or never was. */
+ROOMCAST_API int roomcast_remove_mark(roomcast_viewer* viewer, uint32_t id, char* error,
+                                      size_t error_size);
+
+/* ---- Voices: since 1.6.0 ---- */
+
+#define ROOMCAST_VOICE_RATE_HZ 48000  /* of all samples, which are of one channel, -1 to 1 */
+#define ROOMCAST_VOICE_SAMPLES 960    /* of one packet: 20 ms */
+#define ROOMCAST_VOICE_MAX_BYTES 1275 /* of one packet in Opus (RFC 6716) */
+
+/* 20 ms of somebody's voice. The caller sets the first two pointers. */
+typedef struct roomcast_voice {
+  size_t size;
+  float* samples;             /* gets ROOMCAST_VOICE_SAMPLES samples; NULL: not wanted */
+  uint8_t* opus;              /* gets at most ROOMCAST_VOICE_MAX_BYTES; NULL: not wanted */
+  size_t opus_bytes;          /* 0: this packet was lost on its way, and `samples` conceals that */
+  uint32_t speaker;           /* a person's ID */
+  uint32_t seq;               /* counts the speaker's packets */
+  int32_t ends;               /* 1: the speaker pauses after it */
+  int32_t has_head;           /* 0: where the speaker is is not known */
+  int64_t capture_ns;         /* of the first sample, on the room clock */
+  double world_from_head[16]; /* where the speaker is now, as in roomcast_person */
+} roomcast_voice;
+
+/* The next packet of somebody's voice, for a viewer that joined with `hears`. Packets come as the
+ * network delivers them, those of each speaker in their order: a program that plays them keeps some
+ * 60 ms in stock. A second of what is not fetched is kept. 0: none came within `timeout_ms`. */
+ROOMCAST_API int roomcast_next_voice(roomcast_viewer* viewer, int timeout_ms,
+                                     roomcast_voice* voice);
+/* 1: the room's owner lets this viewer speak. 0: not; `error` says why. */
+ROOMCAST_API int roomcast_may_speak(roomcast_viewer* viewer, char* error, size_t error_size);
+/* Says this to the others in the room: what has been recorded since the last call, up to one second
+ * and not faster than real time. It goes out in packets of 20 ms; what is left over waits for the
+ * next call. Does not wait. Without a connection it is lost. 0: it was not said; `error` says
+ * why. */
+ROOMCAST_API int roomcast_speak(roomcast_viewer* viewer, const float* samples, size_t count,
+                                char* error, size_t error_size);
+/* Says what is left over, and that a pause follows. */
+ROOMCAST_API void roomcast_pause_speaking(roomcast_viewer* viewer);
+
+/* ---- Placing sensors: since 1.6.0 ---- */
+
+/* Where a sensor stands after it was placed. */
+typedef struct roomcast_placement {
+  size_t size;
+  double world_from_depth[16];
+  double expected_error_mm; /* 2.5 m ahead of the sensor; 0: not known */
+} roomcast_placement;
+
+/* Proposes a pose for the sensor of this name; the room's aligner refines it and accepts it, or
+ * refuses it with a reason. Takes a viewer that joined with an admin's token, a sensor that did not
+ * supply its own pose, and up to 20 s. `placement` gets the refined pose; may be NULL. 0: not
+ * placed; `error` says why. */
+ROOMCAST_API int roomcast_place_sensor(roomcast_viewer* viewer, const char* sensor,
+                                       const double* world_from_depth,
+                                       roomcast_placement* placement, char* error,
+                                       size_t error_size);
+/* How a sensor is to be moved: tilted and turned about its own position, then shifted. */
+typedef struct roomcast_nudge {
+  size_t size;
+  double shift_m[3]; /* along the world's axes */
+  double turn_rad;   /* counter-clockwise as seen from above */
+  double tilt_rad;   /* upwards, about the sensor's own horizontal axis */
+} roomcast_nudge;
+/* As roomcast_place_sensor(), from where the sensor stands. */
+ROOMCAST_API int roomcast_nudge_sensor(roomcast_viewer* viewer, const char* sensor,
+                                       const roomcast_nudge* nudge, roomcast_placement* placement,
+                                       char* error, size_t error_size);
 
 #ifdef __cplusplus
 }

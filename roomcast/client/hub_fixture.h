@@ -56,7 +56,7 @@ class FakeHub {
   std::function<void()> on_join = [] {};  // after the welcome
   std::optional<wire::pb::ErrorCode> refuse_joins_with;
   bool lets_joins_wait = false;
-  bool lets_record = true, lets_export = true;
+  bool lets_record = true, lets_export = true, lets_mark = true;
   std::chrono::nanoseconds clock_ahead{};  // offset of this hub's clock
   std::chrono::nanoseconds far_away{};     // simulated travel time of a ping and its answer
 
@@ -117,6 +117,8 @@ class FakeHub {
     control.mutable_welcome()->set_sensor_id(5);
     control.mutable_welcome()->set_may_record(lets_record);
     control.mutable_welcome()->set_may_export(lets_export);
+    control.mutable_welcome()->set_may_place(true);
+    control.mutable_welcome()->set_may_mark(lets_mark);
     say(control);
     on_join();
   }

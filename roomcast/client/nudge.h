@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "roomcast/client/credential.h"
+#include "roomcast/client/room_requests.h"
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/rigid_transform.h"
 
@@ -25,15 +26,10 @@ struct NudgeOptions {
   std::chrono::milliseconds patience = std::chrono::seconds(20);
 };
 
-struct NudgedSensor {
-  RigidTransform world_from_depth;
-  double expected_error_mm = 0;
-};
-
 /// The new pose of the sensor. kUnavailable: the sensor has supplied its own pose, or the aligner
 /// rejected the prior, with the reason, or no answer came. kNotFound: there is no such sensor. Else
 /// the reason why there is no connection.
-[[nodiscard]] Result<NudgedSensor> nudge_sensor(const NudgeOptions& options);
+[[nodiscard]] Result<PlacedSensor> nudge_sensor(const NudgeOptions& options);
 
 /// Tilts and turns the sensor about its own position, then shifts it.
 [[nodiscard]] RigidTransform nudged(const RigidTransform& world_from_depth,

@@ -30,6 +30,7 @@ wire::pb::Control roster(const RigidTransform& pose, const std::string& note = "
   entry.set_fps(30);
   *entry.mutable_calibration() = message_from_calibration(calibration);
   wire::write_transform(pose, *entry.mutable_world_from_depth());
+  entry.set_placement(wire::pb::PLACEMENT_ALIGNED);
   entry.set_expected_error_mm(4);
   entry.set_placement_note(note);
   return control;

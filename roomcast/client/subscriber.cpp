@@ -10,18 +10,31 @@
 #include "roomcast/client/network_thread.h"
 #include "roomcast/client/room/room_state.h"
 #include "roomcast/client/stop_notice.h"
+#include "roomcast/client/voice_sender.h"
+#include "roomcast/net/random_bytes.h"
+#include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
+#include "roomcast/wire/pose_message.h"
 
 namespace roomcast::client {
 namespace {
+
+std::string new_author_key() {
+  std::string key(32, '\0');
+  net::fill_with_random_bytes(
+      std::span(reinterpret_cast<std::uint8_t*>(key.data()), key.size()));  // NOLINT: bytes
+  return key;
+}
 
 wire::pb::Join join_message(const SubscriberOptions& options) {
   wire::pb::Join join;
   join.set_room(options.room);
   show(options.credential, join);
   join.set_name(options.name);
-  join.mutable_viewer();
+  join.mutable_viewer()->set_hears(options.hears);
+  join.mutable_viewer()->set_author_key(options.author_key.empty() ? new_author_key()
+                                                                   : options.author_key);
   return join;
 }
 
@@ -67,14 +80,29 @@ class Subscriber::Link final : public HubLinkEvents {
     boost::asio::post(network_.io(), [this, message = std::move(message)] { link_.send(message); });
   }
 
+  void say(std::vector<std::uint8_t> opus, bool ends, HostTime first_sample) {
+    boost::asio::post(network_.io(), [this, opus = std::move(opus), ends, first_sample] {
+      voice_.say(opus, ends, first_sample);
+      link_.wake();
+    });
+  }
+  std::optional<HeardPacket> next_voice(std::chrono::milliseconds timeout) {
+    return heard_.next(timeout);
+  }
+
   void on_welcome(const wire::pb::Welcome& welcome) override {
+    voice_.joined();
     state_.welcome(welcome);
     offer_snapshot();
   }
   void on_control(const wire::pb::Control& message) override;
   void on_frame(net::MessageBuffer message) override;
-  net::FramedMessagePtr next_frame() override { return nullptr; }
-  void on_clock(const ClockEstimate& estimate) override { state_.clock_is(estimate); }
+  void on_audio(net::MessageBuffer message) override;
+  net::FramedMessagePtr next_frame() override { return voice_.next(); }
+  void on_clock(const ClockEstimate& estimate) override {
+    state_.clock_is(estimate);
+    voice_.clock_is(estimate);
+  }
   void on_down(const Error& reason, bool final) override;
 
  private:
@@ -86,6 +114,7 @@ class Subscriber::Link final : public HubLinkEvents {
   }
 
   SubscriberOptions options_;
+  HeardVoices heard_;
 
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
@@ -96,6 +125,7 @@ class Subscriber::Link final : public HubLinkEvents {
   // Used by the network thread only.
   SteadyClock clock_;
   RoomState state_{clock_};
+  VoiceSender voice_;
   std::map<SensorId, HostTime> asked_for_key_;  // limited to the hub's rate of forwarding
   NetworkThread network_;
   HubLink link_;
@@ -104,6 +134,14 @@ class Subscriber::Link final : public HubLinkEvents {
 void Subscriber::Link::on_control(const wire::pb::Control& message) {
   if (message.has_viewer_poses()) {
     state_.poses(message.viewer_poses());
+    return offer_snapshot();
+  }
+  if (message.has_voices()) {
+    state_.voices(message.voices());
+    return offer_snapshot();
+  }
+  if (message.has_marks()) {
+    state_.marks(message.marks());
     return offer_snapshot();
   }
   if (!message.has_roster()) return;
@@ -116,6 +154,18 @@ void Subscriber::Link::on_frame(net::MessageBuffer message) {
   if (!outcome) return warn(outcome.error().message);
   if (*outcome == RoomState::FrameOutcome::kNeedsKey) return on_undecodable(message.payload());
   if (*outcome == RoomState::FrameOutcome::kSetComplete) offer_snapshot();
+}
+
+void Subscriber::Link::on_audio(net::MessageBuffer message) {
+  const auto header = wire::parse_audio(message.payload());
+  if (!header || header->codec != wire::kAudioCodecOpus) return;  // of a later version
+  const auto opus =
+      std::as_const(message).payload().subspan(header->header_length, header->payload_length);
+  heard_.push({header->speaker,
+               header->seq,
+               header->ends,
+               header->capture_time,
+               {opus.begin(), opus.end()}});
 }
 
 void Subscriber::Link::on_undecodable(std::span<const std::uint8_t> frame) {
@@ -138,6 +188,8 @@ void Subscriber::Link::ask_for_key(SensorId sensor) {
 
 void Subscriber::Link::on_down(const Error& reason, bool final) {
   const bool is_news = snapshot()->connected;
+  voice_.lost();
+  if (final) heard_.end();
   state_.disconnected(reason.message);
   {
     std::lock_guard lock(mutex_);
@@ -165,6 +217,9 @@ Result<std::unique_ptr<Subscriber>> Subscriber::open(SubscriberOptions options) 
   if (!hubs) return hubs.error();
   if (auto status = check_join(options.room, "viewer", options.name, options.credential); !status)
     return status.error();
+  if (options.author_key.size() > wire::kMaxAuthorKeyBytes)
+    return invalid_argument("the author's key is longer than " +
+                            std::to_string(wire::kMaxAuthorKeyBytes) + " bytes");
   auto link = std::make_unique<Link>(std::move(*hubs), std::move(options));
   if (auto status = link->wait_for_welcome(); !status) return status.error();
   return std::unique_ptr<Subscriber>(new Subscriber(std::move(link)));
@@ -183,6 +238,33 @@ void Subscriber::send_pose(const PersonPose& pose) {
   wire::pb::Control control;
   *control.mutable_viewer_pose() = message_from_pose(pose);
   link_->send(std::move(control));
+}
+
+void Subscriber::send_mark(const wire::pb::Mark& mark) {
+  wire::pb::Control control;
+  *control.mutable_mark() = mark;
+  link_->send(std::move(control));
+}
+
+void Subscriber::send_removal(std::span<const std::uint32_t> marks) {
+  wire::pb::Control control;
+  control.mutable_remove_marks()->mutable_ids()->Assign(marks.begin(), marks.end());
+  link_->send(std::move(control));
+}
+
+void Subscriber::send_prior(SensorId sensor, const RigidTransform& world_from_depth) {
+  wire::pb::Control control;
+  control.mutable_nudge()->set_sensor_id(sensor.value);
+  wire::write_transform(world_from_depth, *control.mutable_nudge()->mutable_world_from_depth());
+  link_->send(std::move(control));
+}
+
+void Subscriber::say(std::vector<std::uint8_t> opus, bool ends, HostTime first_sample) {
+  link_->say(std::move(opus), ends, first_sample);
+}
+
+std::optional<HeardPacket> Subscriber::next_voice(std::chrono::milliseconds timeout) {
+  return link_->next_voice(timeout);
 }
 
 void Subscriber::send_stats(const ShownStats& stats) {

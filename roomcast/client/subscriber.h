@@ -8,10 +8,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 
 #include "roomcast/client/credential.h"
+#include "roomcast/client/heard_voices.h"
 #include "roomcast/client/room/room_snapshot.h"
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
@@ -22,7 +24,10 @@ struct SubscriberOptions {
   std::string hub_url;
   std::string room;  // empty: the hub's only room
   Credential credential = {};
-  std::string name;  // shown to others; may be empty
+  std::string name;    // shown to others; may be empty
+  bool hears = false;  // gets people's voices, and who is speaking
+  /// A secret of this program, by which its marks are its own later; empty: a new one.
+  std::string author_key = {};
   LogSink log;
   std::stop_token stop = {};  // ends the wait of open() for the hub
 };
@@ -50,6 +55,19 @@ class Subscriber {
   /// Sends this viewer's pose to the others. Does not wait (nor does send_stats); lost without a
   /// connection.
   void send_pose(const PersonPose& pose);
+  /// These three are requests without an answer of their own: room_requests.h waits for what comes
+  /// of them. Lost without a connection.
+  void send_mark(const wire::pb::Mark& mark);
+  void send_removal(std::span<const std::uint32_t> marks);
+  void send_prior(SensorId sensor, const RigidTransform& world_from_depth);
+
+  /// Sends a packet of this viewer's voice: 20 ms of Opus, at most wire::kMaxAudioPayloadBytes.
+  /// `ends`: a pause follows. Does not wait. Lost without a connection, or without room time.
+  void say(std::vector<std::uint8_t> opus, bool ends, HostTime first_sample);
+  /// The next packet of somebody's voice, for a viewer that hears; nothing at the timeout, or once
+  /// the connection has ended for good.
+  [[nodiscard]] std::optional<HeardPacket> next_voice(std::chrono::milliseconds timeout);
+
   /// Statistics for the hub, to be sent once a second.
   void send_stats(const ShownStats& stats);
 

@@ -47,6 +47,17 @@ test('c_example_writes_the_points_of_the_room', { skip }, async (t) => {
   assert.equal(bytes.length - header, 16 * Number(count));
 });
 
+test('c_example_leaves_a_note_and_sees_who_is_there', { skip }, async (t) => {
+  const hub = await startHub(t);
+  const { code, stdout, stderr } = await runOther(join(build, 'bin/roomcast_example_people'), hub.url, '1');
+  assert.equal(code, 0, stderr);
+  assert.match(stdout, /^people\.c is somewhere$/m);
+  assert.match(stdout, /^people\.c left "people\.c was here" at 0\.0, 1\.0, 0\.0 m$/m);
+  const nobody = await runOther(join(build, 'bin/roomcast_example_people'), 'ws://127.0.0.1:1', '1');
+  assert.equal(nobody.code, 1);
+  assert.match(nobody.stderr, /127\.0\.0\.1/);
+});
+
 test('c_example_is_a_sensor_whose_depth_arrives_unchanged', { skip }, async (t) => {
   const hub = await startHub(t);
   const sensor = runOther(join(build, 'bin/roomcast_example_sensor'), hub.url, 'my-camera', '4');
@@ -60,7 +71,7 @@ test('c_example_is_a_sensor_whose_depth_arrives_unchanged', { skip }, async (t) 
 });
 
 test('c_examples_are_short_enough_to_read', () => {
-  for (const name of ['sensor.c', 'read.c']) assert.ok(readFileSync(join(examples, name), 'utf8').trimEnd().split('\n').length < 40, name);
+  for (const name of ['sensor.c', 'read.c', 'people.c']) assert.ok(readFileSync(join(examples, name), 'utf8').trimEnd().split('\n').length < 40, name);
 });
 
 test('cpp_example_records_the_room', { skip }, async (t) => {

@@ -10,6 +10,7 @@
 
 #include "roomcast/client/room/clock_estimate.h"
 #include "roomcast/client/room/person_pose.h"
+#include "roomcast/client/room/room_mark.h"
 #include "roomcast/client/room/viewer_rights.h"
 #include "roomcast/codec/frame_codec.h"
 #include "roomcast/core/clock.h"
@@ -48,6 +49,8 @@ struct RoomPerson {
   std::string name;
   Rgb8 color;
   std::optional<PersonPose> pose;  // nothing until it is known
+  bool speaking = false;           // these two are known to viewers that hear
+  bool muted = false;              // by an admin
 };
 
 struct RoomSnapshot {
@@ -59,8 +62,13 @@ struct RoomSnapshot {
   std::optional<RigidTransform>
       start_pose;                   // world_from_viewer; viewer frame x right, y up, -z forward
   std::vector<RoomSensor> sensors;  // by id
+  bool sensors_known = false;       // false: the hub has not named them yet
   ViewerId self{};
-  std::vector<RoomPerson> people;      // empty without a connection
+  std::vector<RoomPerson> people;  // empty without a connection
+  std::shared_ptr<const RoomMarks::List> marks = std::make_shared<const RoomMarks::List>();
+  std::uint64_t mark_refusals = 0;     // how often a change of marks had no effect
+  std::string mark_refusal;            // why the last one had none
+  std::uint64_t people_revision = 0;   // grows with every change of people and marks
   std::optional<ClockEstimate> clock;  // room time, once it is known
   SetId newest_set{};
   std::uint64_t sets_received = 0;

@@ -14,9 +14,18 @@ void RoomState::welcome(const wire::pb::Welcome& welcome) {
   room_.connected = true;
   room_.problem.clear();
   room_.room = welcome.room();
-  room_.rights = {.may_record = welcome.may_record(), .may_export = welcome.may_export()};
+  room_.rights = {.may_record = welcome.may_record(),
+                  .may_export = welcome.may_export(),
+                  .may_speak = welcome.may_speak(),
+                  .may_mark = welcome.may_mark(),
+                  .may_place = welcome.may_place()};
   room_.self = ViewerId{welcome.viewer_id()};
   room_.clock.reset();
+  room_.sensors_known = false;
+  voices_.Clear();
+  marks_.join(welcome.author_tag());
+  room_.marks = marks_.all();
+  ++room_.people_revision;
   if (auto pose = wire::read_transform(welcome.start_pose())) room_.start_pose = *pose;
   decoding_.clear();  // frames of an earlier connection are no base for new ones
 }
@@ -25,6 +34,7 @@ void RoomState::disconnected(std::string problem) {
   room_.connected = false;
   room_.problem = std::move(problem);
   room_.people.clear();
+  ++room_.people_revision;
 }
 
 void RoomState::poses(const wire::pb::ViewerPoses& poses) {
@@ -33,6 +43,33 @@ void RoomState::poses(const wire::pb::ViewerPoses& poses) {
                                           [](const RoomPerson& p) { return p.id; });
     if (person != room_.people.end()) person->pose = pose_from_message(message);
   }
+  ++room_.people_revision;
+}
+
+void RoomState::voices(const wire::pb::Voices& voices) {
+  voices_ = voices;
+  update_voices();
+  ++room_.people_revision;
+}
+
+void RoomState::update_voices() {
+  const auto names = [](const auto& ids, ViewerId id) {
+    return std::ranges::find(ids, id.value) != ids.end();
+  };
+  for (RoomPerson& person : room_.people) {
+    person.speaking = names(voices_.speaking(), person.id);
+    person.muted = names(voices_.muted(), person.id);
+  }
+}
+
+void RoomState::marks(const wire::pb::Marks& marks) {
+  marks_.take(marks);
+  room_.marks = marks_.all();
+  if (!marks.refusal().empty()) {
+    ++room_.mark_refusals;
+    room_.mark_refusal = marks.refusal();
+  }
+  ++room_.people_revision;
 }
 
 /// People who stay in the room keep their last known pose.
@@ -44,13 +81,17 @@ void RoomState::update_people(const wire::pb::Roster& roster) {
                       entry.name(),
                       {static_cast<std::uint8_t>(rgb >> 16U), static_cast<std::uint8_t>(rgb >> 8U),
                        static_cast<std::uint8_t>(rgb)},
-                      {}};
+                      {},
+                      false,
+                      false};
     const auto known =
         std::ranges::find(room_.people, person.id, [](const RoomPerson& p) { return p.id; });
     if (known != room_.people.end()) person.pose = known->pose;
     people.push_back(std::move(person));
   }
   room_.people = std::move(people);
+  update_voices();
+  ++room_.people_revision;
 }
 
 Status RoomState::roster(const wire::pb::Roster& roster) {
@@ -59,6 +100,7 @@ Status RoomState::roster(const wire::pb::Roster& roster) {
   for (const auto& entry : roster.sensors()) {
     if (auto status = update_sensor(entry); !status) return status;
   }
+  room_.sensors_known = true;
   return {};
 }
 

@@ -28,6 +28,8 @@ class RoomState {
   Status roster(const wire::pb::Roster& roster);
   /// Ignores people who are not in the roster (yet, or any more).
   void poses(const wire::pb::ViewerPoses& poses);
+  void voices(const wire::pb::Voices& voices);
+  void marks(const wire::pb::Marks& marks);
   void clock_is(const ClockEstimate& estimate) { room_.clock = estimate; }
   void disconnected(std::string problem);
 
@@ -57,10 +59,13 @@ class RoomState {
   void forget_others(const wire::pb::Roster& roster);
   Status update_sensor(const wire::pb::SensorEntry& entry);
   void update_people(const wire::pb::Roster& roster);
+  void update_voices();
   std::shared_ptr<SensorPicture> free_picture(SensorDecoding& decoding);
 
   const Clock& clock_;
   RoomSnapshot room_;
+  RoomMarks marks_;
+  wire::pb::Voices voices_;
   std::unordered_map<SensorId, SensorDecoding> decoding_;
 };
 

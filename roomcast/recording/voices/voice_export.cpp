@@ -29,11 +29,11 @@ constexpr nanoseconds kLongestDelay = std::chrono::seconds(10);  // from a mouth
 constexpr nanoseconds kProgressEvery = std::chrono::seconds(5);
 
 std::int64_t samples_in(nanoseconds time) {
-  return std::llround(std::chrono::duration<double>(time).count() * kVoiceRate_hz);
+  return std::llround(std::chrono::duration<double>(time).count() * voice::kVoiceRate_hz);
 }
 
 double seconds_of(std::int64_t samples) {
-  return static_cast<double>(samples) / kVoiceRate_hz;
+  return static_cast<double>(samples) / voice::kVoiceRate_hz;
 }
 
 /// A WAV file and the sum of what is heard in it.
@@ -187,7 +187,7 @@ Status VoiceExporter::read_voice(const mcap::Message& message) {
   if (delay > kLongestDelay || delay < -kLongestDelay) return {};
   const nanoseconds time = message.publish_time - recording_.origin();
   const std::int64_t at = samples_in(time);
-  if (at >= end_ || at + static_cast<std::int64_t>(kPacketSamples) <= begin_) return {};
+  if (at >= end_ || at + static_cast<std::int64_t>(voice::kPacketSamples) <= begin_) return {};
   const auto found = person(header->speaker.value, message.log_time);
   if (!found) return found.error();
   Person& person = **found;

@@ -76,7 +76,7 @@ TEST_F(VoiceExportTest, everybody_is_heard_when_they_spoke) {
   EXPECT_DOUBLE_EQ(done->seconds, 5);
   const ReadWav all = wav("voices.wav");
   EXPECT_EQ(all.channels, 1);
-  EXPECT_EQ(all.length(), 5u * kVoiceRate_hz);
+  EXPECT_EQ(all.length(), 5u * voice::kVoiceRate_hz);
   EXPECT_EQ(all.loudness(0, 0.98), 0);
   EXPECT_NEAR(all.loudness(1.1, 1.9), 0.4 / std::sqrt(2), 0.03);
   EXPECT_EQ(all.loudness(2.02, 2.98), 0);
@@ -109,7 +109,8 @@ TEST_F(VoiceExportTest, a_click_is_where_it_was_made_to_a_millisecond) {
   const ReadWav all = wav("voices.wav");
   const auto loudest =
       std::ranges::max_element(all.samples, {}, [](float s) { return std::abs(s); });
-  EXPECT_NEAR(static_cast<double>(loudest - all.samples.begin()) / kVoiceRate_hz, 1.1, 0.001);
+  EXPECT_NEAR(static_cast<double>(loudest - all.samples.begin()) / voice::kVoiceRate_hz, 1.1,
+              0.001);
 }
 
 TEST_F(VoiceExportTest, a_part_of_it_begins_and_ends_where_it_was_asked) {
@@ -117,7 +118,7 @@ TEST_F(VoiceExportTest, a_part_of_it_begins_and_ends_where_it_was_asked) {
   end(5s);
   ASSERT_TRUE(write({.out = {}, .from = 1500ms, .to = 3s}).ok());
   const ReadWav all = wav("voices.wav");
-  EXPECT_EQ(all.length(), 3u * kVoiceRate_hz / 2);
+  EXPECT_EQ(all.length(), 3u * voice::kVoiceRate_hz / 2);
   EXPECT_GT(all.loudness(0, 0.4), 0.2);
   EXPECT_EQ(all.loudness(0.52, 1.5), 0);
 }
@@ -131,7 +132,7 @@ TEST_F(VoiceExportTest, in_stereo_people_are_where_they_stand) {
   ASSERT_TRUE(write({.out = {}, .listener = [](nanoseconds) { return RigidTransform(); }}).ok());
   const ReadWav all = wav("voices.wav");
   EXPECT_EQ(all.channels, 2);
-  EXPECT_EQ(all.length(), 3u * kVoiceRate_hz);
+  EXPECT_EQ(all.length(), 3u * voice::kVoiceRate_hz);
   EXPECT_GT(all.loudness(1.1, 1.4, 1), 20 * all.loudness(1.1, 1.4, 0)) << "Ada: right";
   EXPECT_GT(all.loudness(2.1, 2.4, 0), 20 * all.loudness(2.1, 2.4, 1)) << "Bob: left";
 }
@@ -174,7 +175,7 @@ TEST_F(VoiceExportTest, what_cannot_be_right_is_left_out) {
   const auto done = write();
   ASSERT_TRUE(done.ok());
   EXPECT_EQ(done->people.size(), 1u);
-  EXPECT_EQ(wav("voices.wav").length(), 2u * kVoiceRate_hz);
+  EXPECT_EQ(wav("voices.wav").length(), 2u * voice::kVoiceRate_hz);
 }
 
 TEST_F(VoiceExportTest, a_damaged_part_is_left_out_and_counted) {

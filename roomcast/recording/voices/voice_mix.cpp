@@ -7,7 +7,7 @@ namespace roomcast::recording {
 
 namespace {
 
-constexpr std::int64_t kBlock = kPacketSamples;
+constexpr std::int64_t kBlock = voice::kPacketSamples;
 
 }  // namespace
 

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "roomcast/recording/voices/opus_decoder.h"
+#include "roomcast/voice/voice_decoder.h"
 
 namespace roomcast::recording {
 

@@ -8,13 +8,13 @@
 namespace roomcast::recording {
 namespace {
 
-constexpr std::int64_t kSamplesOfPacket = kPacketSamples;
+constexpr std::int64_t kSamplesOfPacket = voice::kPacketSamples;
 constexpr std::int32_t kFarApart = 50;  // packets: the speaker has begun anew
 
 /// Where the first decoded sample of a packet belongs.
 std::int64_t sample_at(nanoseconds time) {
   const double seconds = std::chrono::duration<double>(time).count();
-  return std::llround(seconds * kVoiceRate_hz) - kEncoderDelaySamples;
+  return std::llround(seconds * voice::kVoiceRate_hz) - voice::kEncoderDelaySamples;
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ void VoiceTrack::take(const VoicePacket& packet, const Out& out) {
     if (lost < 0) decoder_.restart();
     if (lost > 0 && end_) fill_gap(static_cast<std::uint32_t>(lost), at, out);
   }
-  std::array<float, kPacketSamples> samples{};
+  std::array<float, voice::kPacketSamples> samples{};
   const bool is_whole = decoder_.decode(packet.opus, samples);
   ++(is_whole ? figures_.packets : figures_.concealed);
   const std::int64_t begin = place(at);
@@ -49,7 +49,7 @@ void VoiceTrack::fill_gap(std::uint32_t lost, std::int64_t at, const Out& out) {
     return;
   }
   for (std::uint32_t i = 0; i < lost; ++i) {
-    std::array<float, kPacketSamples> samples{};
+    std::array<float, voice::kPacketSamples> samples{};
     decoder_.conceal(samples);
     ++figures_.concealed;
     out(*end_, samples);

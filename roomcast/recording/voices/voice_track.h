@@ -11,7 +11,7 @@
 #include <span>
 
 #include "roomcast/core/clock.h"
-#include "roomcast/recording/voices/opus_decoder.h"
+#include "roomcast/voice/voice_decoder.h"
 
 namespace roomcast::recording {
 
@@ -26,7 +26,7 @@ class VoiceTrack {
  public:
   static constexpr std::uint32_t kMaxConcealed = 3;  // packets
   /// A packet that is farther from where the one before ended is put at its own time.
-  static constexpr std::int64_t kMaxShifted = kPacketSamples / 2;
+  static constexpr std::int64_t kMaxShifted = voice::kPacketSamples / 2;
 
   /// 960 samples that belong at `at`.
   using Out = std::function<void(std::int64_t at, std::span<const float> samples)>;
@@ -44,7 +44,7 @@ class VoiceTrack {
   [[nodiscard]] std::int64_t place(std::int64_t at) const;
   void fill_gap(std::uint32_t lost, std::int64_t at, const Out& out);
 
-  VoiceDecoder decoder_;
+  voice::VoiceDecoder decoder_;
   std::optional<std::uint32_t> next_seq_;  // nothing: nothing was said yet
   std::optional<std::int64_t> end_;        // of what was said last; nothing: the speaker has paused
   Figures figures_;

@@ -19,8 +19,8 @@ class VoiceTrackTest : public testing::Test {
             bool ends = false) {
     track.take({.seq = seq, .ends = ends, .time = time, .opus = opus},
                [this](std::int64_t at, std::span<const float> samples) {
-                 places.push_back(at + kEncoderDelaySamples);
-                 EXPECT_EQ(samples.size(), kPacketSamples);
+                 places.push_back(at + voice::kEncoderDelaySamples);
+                 EXPECT_EQ(samples.size(), voice::kPacketSamples);
                  last.assign(samples.begin(), samples.end());
                });
   }

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "roomcast/core/little_endian.h"
-#include "roomcast/recording/voices/opus_decoder.h"
+#include "roomcast/voice/voice_decoder.h"
 
 namespace roomcast::recording {
 namespace {
@@ -95,8 +95,8 @@ void WavFile::write_header() {
   write_u32(&header[16], 16);
   write_u16(&header[20], 1);  // PCM
   write_u16(&header[22], static_cast<std::uint16_t>(channels_));
-  write_u32(&header[24], kVoiceRate_hz);
-  write_u32(&header[28], static_cast<std::uint32_t>(kVoiceRate_hz) * bytes_per_instant);
+  write_u32(&header[24], voice::kVoiceRate_hz);
+  write_u32(&header[28], static_cast<std::uint32_t>(voice::kVoiceRate_hz) * bytes_per_instant);
   write_u16(&header[32], bytes_per_instant);
   write_u16(&header[34], 8 * kBytesPerSample);
   std::memcpy(&header[36], "data", 4);

@@ -14,7 +14,8 @@ namespace Roomcast
         internal struct Options
         {
             public UIntPtr size;
-            public IntPtr hub, room, name, token;
+            public IntPtr hub, room, name, token, author_key;
+            public int hears, reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -82,6 +83,66 @@ namespace Roomcast
             public double rate_share;
         }
 
+        [StructLayout(LayoutKind.Sequential)]
+        internal struct Person
+        {
+            public UIntPtr size;
+            public uint id;
+            public byte r, g, b, a;
+            public IntPtr name;
+            public int is_self, speaking, muted, has_head, has_left_hand, has_right_hand;
+            [MarshalAs(UnmanagedType.ByValArray, SizeConst = 16)]
+            public double[] world_from_head;
+            [MarshalAs(UnmanagedType.ByValArray, SizeConst = 16)]
+            public double[] world_from_left_hand;
+            [MarshalAs(UnmanagedType.ByValArray, SizeConst = 16)]
+            public double[] world_from_right_hand;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        internal struct Mark
+        {
+            public UIntPtr size;
+            public uint id;
+            public int kind;
+            public IntPtr points;
+            public UIntPtr point_count;
+            public IntPtr text, author;
+            public byte r, g, b, a;
+            public int own;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        internal struct Voice
+        {
+            public UIntPtr size;
+            public IntPtr samples, opus;
+            public UIntPtr opus_bytes;
+            public uint speaker, seq;
+            public int ends, has_head;
+            public long capture_ns;
+            [MarshalAs(UnmanagedType.ByValArray, SizeConst = 16)]
+            public double[] world_from_head;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        internal struct Placement
+        {
+            public UIntPtr size;
+            [MarshalAs(UnmanagedType.ByValArray, SizeConst = 16)]
+            public double[] world_from_depth;
+            public double expected_error_mm;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        internal struct Nudge
+        {
+            public UIntPtr size;
+            [MarshalAs(UnmanagedType.ByValArray, SizeConst = 3)]
+            public double[] shift_m;
+            public double turn_rad, tilt_rad;
+        }
+
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern IntPtr roomcast_version();
 
@@ -128,6 +189,37 @@ namespace Roomcast
         internal static extern int roomcast_is_publishing(PublisherHandle publisher, byte[] error, UIntPtr error_size);
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void roomcast_stop_publishing(IntPtr publisher);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern PeopleHandle roomcast_wait_people(ViewerHandle viewer, PeopleHandle known, int timeout_ms);
+        [DllImport(Library, EntryPoint = "roomcast_wait_people", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern PeopleHandle roomcast_wait_people_now(ViewerHandle viewer, IntPtr none, int timeout_ms);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void roomcast_free_people(IntPtr people);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern UIntPtr roomcast_person_count(PeopleHandle people);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int roomcast_get_person(PeopleHandle people, UIntPtr number, ref Person person);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern UIntPtr roomcast_mark_count(PeopleHandle people);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int roomcast_get_mark(PeopleHandle people, UIntPtr number, ref Mark mark);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int roomcast_leave_mark(ViewerHandle viewer, ref Mark mark, out uint id, byte[] error, UIntPtr error_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int roomcast_remove_mark(ViewerHandle viewer, uint id, byte[] error, UIntPtr error_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int roomcast_next_voice(ViewerHandle viewer, int timeout_ms, ref Voice voice);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int roomcast_may_speak(ViewerHandle viewer, byte[] error, UIntPtr error_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int roomcast_speak(ViewerHandle viewer, float[] samples, UIntPtr count, byte[] error, UIntPtr error_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void roomcast_pause_speaking(ViewerHandle viewer);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int roomcast_place_sensor(ViewerHandle viewer, byte[] sensor, double[] world_from_depth, ref Placement placement, byte[] error, UIntPtr error_size);
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int roomcast_nudge_sensor(ViewerHandle viewer, byte[] sensor, ref Nudge nudge, ref Placement placement, byte[] error, UIntPtr error_size);
 
         internal static UIntPtr SizeOf<T>()
         {
@@ -181,6 +273,8 @@ namespace Roomcast
                 room = At(Native.BytesOf(options.Room)),
                 name = At(Native.BytesOf(options.Name)),
                 token = At(Native.BytesOf(options.Token)),
+                author_key = At(Native.BytesOf(options.AuthorKey)),
+                hears = options.Hears ? 1 : 0,
             };
         }
 
@@ -211,6 +305,15 @@ namespace Roomcast
         protected override bool ReleaseHandle()
         {
             Native.roomcast_free_frames(handle);
+            return true;
+        }
+    }
+
+    internal sealed class PeopleHandle : NativeHandle
+    {
+        protected override bool ReleaseHandle()
+        {
+            Native.roomcast_free_people(handle);
             return true;
         }
     }

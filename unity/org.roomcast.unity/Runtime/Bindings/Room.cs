@@ -21,6 +21,8 @@ namespace Roomcast
         public string Room;  // null: the hub's room, if it has only one
         public string Name;  // shown to the others; of a sensor its identity
         public string Token; // if the room requires one; or a one-time code
+        public bool Hears;   // gets people's voices
+        public string AuthorKey; // a secret of the program, by which marks that it left are its own later, too
     }
 
     /// A coloured point in the world frame.
@@ -32,7 +34,7 @@ namespace Roomcast
     }
 
     /// A connection to a room. It reconnects by itself.
-    public sealed class Room : IDisposable
+    public sealed partial class Room : IDisposable
     {
         private readonly ViewerHandle viewer;
 
@@ -41,7 +43,7 @@ namespace Roomcast
             this.viewer = viewer;
         }
 
-        /// The version of the library, such as "1.3.0".
+        /// The version of the library, such as "1.6.0".
         public static string LibraryVersion { get { return Native.TextAt(Native.roomcast_version()); } }
 
         /// Joins a room and waits for the hub's answer.

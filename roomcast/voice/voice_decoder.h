@@ -9,7 +9,7 @@
 
 struct OpusDecoder;
 
-namespace roomcast::recording {
+namespace roomcast::voice {
 
 inline constexpr int kVoiceRate_hz = 48'000;
 inline constexpr std::size_t kPacketSamples = 960;  // 20 ms
@@ -36,4 +36,4 @@ class VoiceDecoder {
   std::unique_ptr<OpusDecoder, Destroy> decoder_;
 };
 
-}  // namespace roomcast::recording
+}  // namespace roomcast::voice

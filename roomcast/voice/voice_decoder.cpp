@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/recording/voices/opus_decoder.h"
+#include "roomcast/voice/voice_decoder.h"
 
 #include <algorithm>
 #include <new>
 
 #include <opus/opus.h>
 
-namespace roomcast::recording {
+namespace roomcast::voice {
 namespace {
 
 constexpr int kMono = 1;
@@ -45,4 +45,4 @@ void VoiceDecoder::restart() {
   opus_decoder_ctl(decoder_.get(), OPUS_RESET_STATE);
 }
 
-}  // namespace roomcast::recording
+}  // namespace roomcast::voice
