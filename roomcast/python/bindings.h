@@ -11,7 +11,7 @@ namespace roomcast::python {
 void add_cameras(pybind11::module_& module);     // Intrinsics, SensorInfo
 void add_frames(pybind11::module_& module);      // FrameSet, Frame, PointCloud
 void add_recordings(pybind11::module_& module);  // open(): Recording, FrameSets
-void add_rooms(pybind11::module_& module);       // watch(): Room
+void add_rooms(pybind11::module_& module);       // watch(): Room, Person, Mark, Voice
 void add_sensors(pybind11::module_& module);     // Sensor, SendReport
 void add_alignment(pybind11::module_& module);   // align(): Alignment, AlignedSensor, AlignedPair
 void add_measuring(pybind11::module_& module);   // measure(): Distance, Place

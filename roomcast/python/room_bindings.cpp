@@ -12,16 +12,13 @@
 #include "roomcast/client/subscriber.h"
 #include "roomcast/python/bindings.h"
 #include "roomcast/python/errors.h"
-#include "roomcast/python/live_sets.h"
-#include "roomcast/python/waiting.h"
+#include "roomcast/python/watched_room.h"
 
 namespace roomcast::python {
 namespace {
 
 namespace py = pybind11;
 using namespace py::literals;
-using Steady = std::chrono::steady_clock;
-
 constexpr const char* kRoomDoc =
     "A live room. Iterating gives its newest FrameSet, again and again, each once: a\n"
     "program that is slower than the room misses sets, and delay does not grow. A broken\n"
@@ -32,74 +29,23 @@ constexpr const char* kWatchDoc =
     "url: 'ws://host:port', or 'wss://host:port#sha256=...'.\n"
     "token: where the room asks for one; or a one-time code. room: the name of the room,\n"
     "where the hub has several. name: shown to the others in the room.\n"
+    "hears: gets people's voices. author_key: a secret of yours, by which the marks that you\n"
+    "leave are yours later, too.\n"
     "Raises Error if there is no hub, or if it refuses.";
 constexpr const char* kNewestDoc =
     "The newest FrameSet, once there is one newer than the last that was given; None after\n"
     "timeout_s (None: waits as long as it takes). Returns as soon as one sensor has a new\n"
     "frame: just after joining, see FrameSet.complete.";
 
-/// Its members are used with the interpreter's lock only.
-class WatchedRoom {
- public:
-  explicit WatchedRoom(std::unique_ptr<client::Subscriber> subscriber)
-      : subscriber_(std::move(subscriber)) {}
-  ~WatchedRoom() { close(); }
-  WatchedRoom(const WatchedRoom&) = delete;
-  WatchedRoom& operator=(const WatchedRoom&) = delete;
-
-  /// Null at `until`, or where the room was closed meanwhile.
-  [[nodiscard]] std::shared_ptr<RoomSet> wait_newer(Steady::time_point until) {
-    std::uint64_t revision = revision_;
-    while (const std::shared_ptr<client::Subscriber> subscriber = subscriber_) {
-      const auto room = wait_a_moment(*subscriber, revision, until);
-      check_signals();
-      if (subscriber_ && room->newest_set > newest_set_) return take(*room);
-      revision = room->revision;
-      if (const auto failure = subscriber->failure()) throw Failure(*failure);
-      if (Steady::now() >= until) return nullptr;
-    }
-    return nullptr;
-  }
-
-  /// Throws Failure where it is closed.
-  [[nodiscard]] std::shared_ptr<const client::RoomSnapshot> snapshot() const {
-    if (!subscriber_) throw Failure({ErrorCode::kClosed, "the room was closed"});
-    return subscriber_->snapshot();
-  }
-  [[nodiscard]] bool is_closed() const { return !subscriber_; }
-  void close() {
-    auto ends = std::exchange(subscriber_, nullptr);
-    if (!ends) return;
-    const WithoutGil without;
-    ends = nullptr;
-  }
-
- private:
-  static std::shared_ptr<const client::RoomSnapshot> wait_a_moment(
-      const client::Subscriber& subscriber, std::uint64_t revision, Steady::time_point until) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Steady::now());
-    const WithoutGil without;
-    return subscriber.wait_newer(revision,
-                                 std::clamp(left, std::chrono::milliseconds(0), kSignalPeriod));
-  }
-  [[nodiscard]] std::shared_ptr<RoomSet> take(const client::RoomSnapshot& room) {
-    newest_set_ = room.newest_set;
-    revision_ = room.revision;
-    return sets_.set_of(room);
-  }
-
-  std::shared_ptr<client::Subscriber> subscriber_;
-  LiveRoomSets sets_;
-  SetId newest_set_{};
-  std::uint64_t revision_ = 0;
-};
-
 std::unique_ptr<WatchedRoom> watch(const std::string& url, const std::string& token,
-                                   const std::string& room, const std::string& name) {
+                                   const std::string& room, const std::string& name, bool hears,
+                                   const std::string& author_key) {
   client::SubscriberOptions options;
   options.hub_url = url;
   options.room = room;
   options.name = name;
+  options.hears = hears;
+  options.author_key = author_key;
   options.credential = client::credential_of(token);
   return std::make_unique<WatchedRoom>(value_of(interruptible([&](const std::stop_token& stop) {
     options.stop = stop;
@@ -113,7 +59,8 @@ py::object newest(WatchedRoom& room, std::optional<double> timeout_s) {
   if (timeout_s && !(*timeout_s >= 0)) throw Failure(invalid_argument("timeout_s is negative"));
   const auto timeout = std::chrono::duration<double>(
       std::min(timeout_s.value_or(kLongestTimeout_s), kLongestTimeout_s));
-  auto set = room.wait_newer(Steady::now() + std::chrono::duration_cast<Steady::duration>(timeout));
+  auto set = room.wait_newer(WatchedRoom::Steady::now() +
+                             std::chrono::duration_cast<WatchedRoom::Steady::duration>(timeout));
   (void)room.snapshot();  // throws where the room is closed
   return py::cast(std::move(set));
 }
@@ -121,7 +68,7 @@ py::object newest(WatchedRoom& room, std::optional<double> timeout_s) {
 std::shared_ptr<RoomSet> next_live_set(WatchedRoom& room) {
   for (;;) {
     if (room.is_closed()) throw py::stop_iteration();
-    if (auto set = room.wait_newer(Steady::now() + std::chrono::hours(1))) return set;
+    if (auto set = room.wait_newer(WatchedRoom::Steady::now() + std::chrono::hours(1))) return set;
   }
 }
 
@@ -134,8 +81,9 @@ py::object problem_of(const WatchedRoom& room) {
 }  // namespace
 
 void add_rooms(py::module_& module) {
-  py::class_<WatchedRoom>(module, "Room", kRoomDoc)
-      .def("__iter__", [](const py::object& room) { return room; })
+  py::class_<WatchedRoom> rooms(module, "Room", kRoomDoc);
+  add_people(module, rooms);
+  rooms.def("__iter__", [](const py::object& room) { return room; })
       .def("__next__", &next_live_set)
       .def("newest", &newest, "timeout_s"_a = py::none(), kNewestDoc)
       .def("__enter__", [](const py::object& room) { return room; })
@@ -157,7 +105,7 @@ void add_rooms(py::module_& module) {
           "may_export", [](const WatchedRoom& room) { return room.snapshot()->rights.may_export; },
           "Whether the room's owner lets viewers write files for other programs.");
   module.def("watch", &watch, "url"_a, py::kw_only(), "token"_a = "", "room"_a = "",
-             "name"_a = "Python", kWatchDoc);
+             "name"_a = "Python", "hears"_a = false, "author_key"_a = "", kWatchDoc);
 }
 
 }  // namespace roomcast::python

@@ -25,12 +25,15 @@ from roomcast._core import (
     FrameSet,
     FrameSets,
     Intrinsics,
+    Mark,
+    Person,
     Place,
     PointCloud,
     Recording,
     Room,
     SendReport,
     SensorInfo,
+    Voice,
     align,
     measure,
     open,
@@ -46,6 +49,8 @@ __all__ = [
     "FrameSet",
     "FrameSets",
     "Intrinsics",
+    "Mark",
+    "Person",
     "Place",
     "PointCloud",
     "Recording",
@@ -53,6 +58,7 @@ __all__ = [
     "SendReport",
     "Sensor",
     "SensorInfo",
+    "Voice",
     "align",
     "measure",
     "open",
@@ -62,8 +68,8 @@ __all__ = [
 _connected = _weakref.WeakSet()  # what has threads on the network
 
 
-def watch(url, *, token="", room="", name="Python"):
-    joined = _core.watch(url, token=token, room=room, name=name)
+def watch(url, *, token="", room="", name="Python", hears=False, author_key=""):
+    joined = _core.watch(url, token=token, room=room, name=name, hears=hears, author_key=author_key)
     _connected.add(joined)
     return joined
 

@@ -135,6 +135,86 @@ class Rooms(TestCase):
                 next(iter(recording)).points().write_ply(self.folder() / "a.ply")
 
 
+HEAD = np.array([[1, 0, 0, 0.5], [0, 1, 0, 1.5], [0, 0, 1, 2], [0, 0, 0, 1.0]])
+
+
+class People(TestCase):
+    def setUp(self):
+        url = self.start_hub()
+        self.ada = self.enterContext(roomcast.watch(url, name="Ada"))
+        self.ben = self.enterContext(roomcast.watch(url, name="Ben", hears=True))
+
+    def enterContext(self, context):  # unittest has it since 3.11
+        self.addCleanup(context.__exit__, None, None, None)
+        return context.__enter__()
+
+    def until(self, what):
+        end = time.monotonic() + 10
+        while not what():
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.02)
+
+    def seen(self, name):
+        return next((person for person in self.ben.people if person.name == name), None)
+
+    def test_see_each_others_heads(self):
+        def arrived():
+            self.ada.send_pose(HEAD, room_from_right_hand=HEAD)
+            return self.seen("Ada") and self.seen("Ada").room_from_head is not None
+
+        self.until(arrived)
+        np.testing.assert_allclose(self.seen("Ada").room_from_head, HEAD, atol=1e-6)
+        self.assertIsNone(self.seen("Ada").room_from_left_hand)
+        self.assertIsNotNone(self.seen("Ada").room_from_right_hand)
+        self.assertEqual([person.is_self for person in sorted(self.ben.people, key=lambda p: p.name)], [False, True])
+        self.assertEqual(len(self.seen("Ada").color), 3)
+        with self.assertRaisesRegex(roomcast.Error, "room_from_head is not a matrix"):
+            self.ada.send_pose(HEAD[:3])
+
+    def test_leave_marks_and_remove_them(self):
+        self.assertTrue(self.ada.may_mark)
+        id = self.ada.leave_mark("distance", [[0, 1, 0], [0, 1, 2]])
+        self.until(lambda: self.ben.marks)
+        (mark,) = self.ben.marks
+        self.assertEqual((mark.id, mark.kind, mark.text, mark.author, mark.own), (id, "distance", "", "Ada", False))
+        np.testing.assert_array_equal(mark.points, np.float32([[0, 1, 0], [0, 1, 2]]))
+        self.assertTrue(self.ada.marks[0].own)
+        with self.assertRaisesRegex(roomcast.Error, "only its author"):
+            self.ben.remove_mark(id)
+        self.ada.remove_mark(id)
+        self.until(lambda: not self.ben.marks)
+        for kind, points, text in [("line", [[0, 0, 0]], ""), ("note", [0, 0, 0], "x"), ("note", [[0, 0, 0]], "")]:
+            with self.assertRaises(roomcast.Error):
+                self.ada.leave_mark(kind, points, text)
+
+    def test_hear_each_other(self):
+        hum = 0.5 * np.sin(2 * np.pi * 440 * np.arange(48_000) / 48_000)
+        loudest, packets = 0, 0
+        self.assertTrue(self.ada.may_speak)
+        self.assertIsNone(self.ben.next_voice(timeout_s=0))
+        end = time.monotonic() + 10
+        while packets < 20:
+            self.assertLess(time.monotonic(), end)
+            self.ada.speak(hum[:1920])
+            time.sleep(0.04)
+            while voice := self.ben.next_voice(timeout_s=0):
+                self.assertEqual(voice.speaker, self.seen("Ada").id)
+                self.assertTrue(voice.opus and len(voice.samples) == 960 and not voice.ends)
+                loudest, packets = max(loudest, voice.samples.max()), packets + 1
+        self.assertAlmostEqual(loudest, 0.5, delta=0.15)
+        self.ada.pause_speaking()
+        self.assertTrue(self.ben.next_voice(timeout_s=10).ends)
+        with self.assertRaisesRegex(roomcast.Error, "ahead of time"):
+            self.ada.speak(np.zeros(48_001))
+
+    def test_place_sensors_only_with_an_admins_token(self):
+        self.assertFalse(self.ada.may_place)
+        with self.assertRaisesRegex(roomcast.Error, "takes an admin's token"):
+            self.ada.place("s0", HEAD)
+        with self.assertRaisesRegex(roomcast.Error, "takes an admin's token"):
+            self.ada.nudge("s0", shift=(0.1, 0, 0), turn_rad=0.1)
+
+
 class Sensors(TestCase):
     def setUp(self):
         self.url = self.start_hub()
