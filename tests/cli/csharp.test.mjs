@@ -122,6 +122,41 @@ test('a_program_in_csharp_is_a_sensor', { skip }, async (t) => {
   assert.equal(problem, 'no problem');
 });
 
+test('people_and_marks_in_csharp', { skip }, async (t) => {
+  const hub = await startHub(t);
+  const { code, stdout, stderr } = await mono(checks(), 'people', hub.url);
+  assert.equal(code, 0, stderr);
+  const expected = [
+    /^True Note 1,2,3 C♯ Ada False$/,
+    /^Ada 1 0 0 0\.5 0 1 0 1\.5 0 0 1 2 0 0 0 1 True$/,
+    /^mark of another: RoomcastException: only its author/,
+    /^note without words: RoomcastException: a note and a place need words$/,
+    /^half a point: RoomcastException: each point has 3 numbers$/,
+    /^place without a token: RoomcastException: .*admin's token/,
+    /^nudge without a token: RoomcastException: .*admin's token/,
+    /^people that are gone: ObjectDisposedException/,
+  ];
+  const lines = stdout.trim().split('\n');
+  assert.equal(lines.length, expected.length, stdout);
+  lines.forEach((line, i) => assert.match(line, expected[i]));
+});
+
+test('voices_in_csharp', { skip }, async (t) => {
+  const hub = await startHub(t);
+  const { code, stdout, stderr } = await mono(checks(), 'voices', hub.url);
+  assert.equal(code, 0, stderr);
+  assert.match(stdout, /^may speak\nTrue True True True\ntoo much at once: RoomcastException: .*ahead of time\n$/);
+});
+
+test('a_voice_is_played_evenly', { skip }, async () => {
+  const { stdout, stderr } = await mono(checks(), 'sound');
+  assert.equal(
+    stdout,
+    'one packet is kept: 0\nthree are played: 1 1 1\nthen silence: 0, gaps 1\nof too many the newest are left: True, gaps 1\na short word is played: 1\n',
+    stderr,
+  );
+});
+
 test('a_program_in_csharp_records', { skip }, async (t) => {
   const hub = await startRoom(t, 's0');
   const file = join(scratchFolder(t), 'röom.mcap');
@@ -150,8 +185,10 @@ test('misuse_is_an_exception_with_a_sentence', { skip }, async (t) => {
   lines.forEach((line, i) => assert.match(line, expected[i]));
 });
 
-test('the_unity_component_compiles_against_stubs', { skip }, () => {
-  compile('Unity.dll', [join(unity, 'Runtime/RoomcastRoom.cs'), join(here, 'csharp/UnityStubs.cs'), ...bindings], '-target:library', '-nowarn:0649,0414');
+const ofUnity = ['Runtime/RoomcastRoom.cs', 'Runtime/RoomcastPeople.cs', 'Runtime/RoomcastVoices.cs', 'Editor/RoomcastMenu.cs'];
+
+test('what_needs_unity_compiles_against_stubs', { skip }, () => {
+  compile('Unity.dll', [...ofUnity.map((file) => join(unity, file)), join(here, 'csharp/UnityStubs.cs'), ...bindings], '-target:library', '-nowarn:0649,0414');
 });
 
 test('the_unity_package_describes_itself', () => {
@@ -162,7 +199,8 @@ test('the_unity_package_describes_itself', () => {
   assert.match(editor, /^20\d\d\.\d$/);
   const parts = json('Runtime/Roomcast.Unity.asmdef');
   assert.deepEqual(parts.references, [json('Runtime/Bindings/Roomcast.Bindings.asmdef').name]);
-  for (const file of ['Runtime/RoomcastRoom.cs', 'Runtime/Shaders/RoomcastDepthMesh.shader']) {
+  assert.deepEqual(json('Editor/Roomcast.Unity.Editor.asmdef').references, [...parts.references, parts.name]);
+  for (const file of [...ofUnity, 'Runtime/Shaders/RoomcastDepthMesh.shader']) {
     assert.match(readFileSync(join(unity, file), 'utf8'), /NOT RUN/, 'what needs the editor says so');
   }
 });

@@ -23,6 +23,9 @@ static class Checks
                 case "depth": return Depth(args[1], args[2]);
                 case "publish": return Publish(args[1], args[2]);
                 case "record": return Record(args[1], args[2]);
+                case "people": return PeopleOf(args[1]);
+                case "voices": return Voices(args[1]);
+                case "sound": return Sound();
                 case "misuse": return Misuse(args[1]);
             }
         }
@@ -95,6 +98,86 @@ static class Checks
             for (int i = 0; i < 60; ++i, Thread.Sleep(100)) report = publisher.Send(depth, new byte[3 * 64 * 48], Publisher.HostTimeNs);
             Console.WriteLine(report.FramesSent + " " + report.Connected + " " + (publisher.Problem ?? "no problem"));
         }
+        return 0;
+    }
+
+    /// Leaves a mark, shows a head, and prints what another viewer sees of both.
+    static int PeopleOf(string hub)
+    {
+        using (Room ada = Room.Connect(new RoomOptions { Hub = hub, Name = "Ada" }), ben = Room.Connect(new RoomOptions { Hub = hub, Name = "Ben" }))
+        {
+            uint id = ada.LeaveMark(new Mark(MarkKind.Note, new float[] { 1, 2, 3 }, "C\u266f"));
+            People people = null;
+            for (var watch = Stopwatch.StartNew(); watch.Elapsed.TotalSeconds < 15;)
+            {
+                ada.SendPose(new double[] { 1, 0, 0, 0.5, 0, 1, 0, 1.5, 0, 0, 1, 2, 0, 0, 0, 1 });
+                people = ben.WaitPeople(people, 200) ?? people;
+                Person other = Enumerable.Range(0, people.PersonCount).Select(people.GetPerson).FirstOrDefault(person => !person.IsSelf);
+                if (people.MarkCount != 1 || other == null || other.WorldFromHead == null) continue;
+                Mark mark = people.GetMark(0);
+                Console.WriteLine(string.Join(" ", mark.Id == id, mark.Kind, string.Join(",", mark.Points), mark.Text, mark.Author, mark.Own));
+                Console.WriteLine(other.Name + " " + string.Join(" ", other.WorldFromHead) + " " + (other.WorldFromLeftHand == null));
+                break;
+            }
+            Expect<RoomcastException>("mark of another", () => ben.RemoveMark(id));
+            Expect<RoomcastException>("note without words", () => ada.LeaveMark(new Mark(MarkKind.Note, new float[3])));
+            Expect<RoomcastException>("half a point", () => ada.LeaveMark(new Mark(MarkKind.Note, new float[2], "x")));
+            Expect<RoomcastException>("place without a token", () => ada.PlaceSensor("s0", new double[] { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }));
+            Expect<RoomcastException>("nudge without a token", () => ada.NudgeSensor("s0", 0.1, 0, 0));
+            ada.RemoveMark(id);
+            people.Dispose();
+            Expect<ObjectDisposedException>("people that are gone", () => people.GetPerson(0));
+        }
+        return 0;
+    }
+
+    /// Says a tone, and prints how loud another viewer hears it.
+    static int Voices(string hub)
+    {
+        using (Room ada = Room.Connect(new RoomOptions { Hub = hub, Name = "Ada" }), ben = Room.Connect(new RoomOptions { Hub = hub, Name = "Ben", Hears = true }))
+        {
+            var tone = new float[1920];
+            for (int i = 0; i < tone.Length; ++i) tone[i] = 0.5f * (float)Math.Sin(2 * Math.PI * 500 * i / Voice.RateHz);
+            Console.WriteLine(ada.WhyNotSpeak ?? "may speak");
+            var voice = new Voice();
+            float loudest = 0;
+            int packets = 0;
+            for (var watch = Stopwatch.StartNew(); watch.Elapsed.TotalSeconds < 15 && packets < 20; Thread.Sleep(38))
+            {
+                ada.Speak(tone);
+                for (; ben.NextVoice(voice, 0); ++packets) loudest = Math.Max(loudest, voice.Samples.Max());
+            }
+            ada.PauseSpeaking();
+            while (ben.NextVoice(voice, 5000) && !voice.Ends) { }
+            Console.WriteLine((packets >= 20) + " " + (loudest > 0.4 && loudest < 0.6) + " " + voice.Ends + " " + (voice.GetOpus().Length > 0));
+            Expect<RoomcastException>("too much at once", () => ada.Speak(new float[48001]));
+        }
+        return 0;
+    }
+
+    /// The stock of HeardSound, without a hub.
+    static int Sound()
+    {
+        var sound = new HeardSound();
+        var packet = Enumerable.Repeat(1f, Voice.SampleCount).ToArray();
+        var taken = new float[Voice.SampleCount];
+        Func<float> take = () =>
+        {
+            sound.Take(taken);
+            return taken.Average();
+        };
+        sound.Put(packet, false);
+        Console.WriteLine("one packet is kept: " + take());
+        sound.Put(packet, false);
+        sound.Put(packet, false);
+        Console.WriteLine("three are played: " + take() + " " + take() + " " + take());
+        Console.WriteLine("then silence: " + take() + ", gaps " + sound.Gaps);
+        for (int i = 0; i < 40; ++i) sound.Put(packet, i == 39);
+        int left = 0;
+        while (take() == 1) ++left;
+        Console.WriteLine("of too many the newest are left: " + (left > 3 && left < 16) + ", gaps " + sound.Gaps);
+        sound.Put(packet, true);
+        Console.WriteLine("a short word is played: " + take());
         return 0;
     }
 

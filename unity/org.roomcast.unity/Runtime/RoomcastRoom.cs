@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // NOT RUN: the tests compile this component against stubs of the editor's classes; no editor was at hand.
 //
-// Shows a live room below this object: one mesh for each sensor, whose vertices the shader moves to the sensor's readings.
+// Shows a live room below this object: one mesh for each sensor, whose vertices the shader moves to the sensor's readings, and the
+// heads and voices of the people there.
 // Unity is left-handed: z of the room's world changes its sign, so the room is not mirrored.
 using System.Collections.Generic;
 using System.Threading;
@@ -25,6 +26,12 @@ namespace Roomcast.Unity
         public Shader shader;
         [Tooltip("The others see this viewer here; empty: not at all")]
         public Transform head;
+        [Tooltip("Show the heads of the others, with their names")]
+        public bool showPeople = true;
+        [Tooltip("Play the voices of the others from where they stand")]
+        public bool hear = true;
+        [Tooltip("Say to the others what the microphone hears")]
+        public bool speak;
 
         /// Why nothing is shown; null while all is well.
         public string Problem { get; private set; }
@@ -47,10 +54,15 @@ namespace Roomcast.Unity
         private Frames newest;    // guarded by handover
         private string problem;   // guarded by handover
         private double[] headPose; // guarded by handover
+        private Person[] newestPeople; // guarded by handover
+        private RoomcastPeople people;
+        private RoomcastVoices voices;
 
         private void OnEnable()
         {
             ended = false;
+            people = new RoomcastPeople(transform);
+            voices = new RoomcastVoices(transform);
             receiver = new Thread(Receive) { IsBackground = true, Name = "roomcast" };
             receiver.Start();
         }
@@ -66,6 +78,8 @@ namespace Roomcast.Unity
             }
             foreach (Surface surface in surfaces.Values) Remove(surface);
             surfaces.Clear();
+            people.Clear();
+            voices.Clear();
         }
 
         /// The receiver's thread: the newest frames replace those that were not drawn.
@@ -73,18 +87,25 @@ namespace Roomcast.Unity
         {
             try
             {
-                var options = new RoomOptions { Hub = hub, Room = NullIfEmpty(room), Token = NullIfEmpty(token), Name = viewerName };
+                var options = new RoomOptions { Hub = hub, Room = NullIfEmpty(room), Token = NullIfEmpty(token), Name = viewerName, Hears = hear };
                 using (Room joined = Room.Connect(options))
+                using (voices.Join(joined, hear))
                 {
                     while (!ended)
                     {
                         Frames frames = joined.WaitFrames(50);
                         string why = joined.Problem;
+                        Person[] persons = null;
+                        using (People now = joined.WaitPeople())
+                        {
+                            if (now != null) persons = Others(now);
+                        }
                         double[] pose;
                         lock (handover)
                         {
                             problem = why;
                             pose = headPose;
+                            if (persons != null) newestPeople = persons;
                             if (frames != null)
                             {
                                 if (newest != null) newest.Dispose();
@@ -110,7 +131,11 @@ namespace Roomcast.Unity
                 frames = newest;
                 newest = null;
                 headPose = head == null ? null : RoomFromHead();
+                if (newestPeople != null && showPeople) people.Show(newestPeople);
+                if (newestPeople != null) voices.Place(newestPeople);
+                newestPeople = null;
             }
+            voices.Update(speak);
             if (frames == null) return;
             using (frames)
             {
@@ -203,7 +228,7 @@ namespace Roomcast.Unity
         }
 
         /// Points of a sensor into Unity's world: the room's, with z of the other sign.
-        private static Matrix4x4 LeftHanded(double[] worldFromDepth)
+        internal static Matrix4x4 LeftHanded(double[] worldFromDepth)
         {
             var matrix = new Matrix4x4();
             for (int i = 0; i < 16; ++i) matrix[i / 4, i % 4] = (float)(i / 4 == 2 ? -worldFromDepth[i] : worldFromDepth[i]);
@@ -218,6 +243,17 @@ namespace Roomcast.Unity
             var numbers = new double[16];
             for (int i = 0; i < 16; ++i) numbers[i] = ((i / 4 == 2) != (i % 4 == 2) ? -1 : 1) * pose[i / 4, i % 4];
             return numbers;
+        }
+
+        private static Person[] Others(People people)
+        {
+            var others = new List<Person>();
+            for (int i = 0; i < people.PersonCount; ++i)
+            {
+                Person person = people.GetPerson(i);
+                if (!person.IsSelf) others.Add(person);
+            }
+            return others.ToArray();
         }
 
         private static string NullIfEmpty(string text)
