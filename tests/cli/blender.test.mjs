@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The script for Blender (examples/blender) in Blender itself, without a window: what it loads is compared with the files
-// as other libraries read them.
+// The scripts for Blender (examples/blender) in Blender itself, without a window: what they load is compared with the files
+// as other libraries read them, and what a live room shows with what its sensors saw.
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
-import { readFileSync, readdirSync, statSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
+import { writeViewerPose } from '../network/messages.mjs';
+import { RoomClient } from '../network/room_client.mjs';
 import { writeSmallRig } from '../network/small_rig.mjs';
-import { Program, run, scratchFolder, startHub } from './program.mjs';
+import { Program, binary, run, scratchFolder, startHub } from './program.mjs';
 
 const require = createRequire(new URL('../../web/package.json', import.meta.url));
 const { PLYLoader } = await import(require.resolve('three/examples/jsm/loaders/PLYLoader.js'));
@@ -20,6 +22,11 @@ const { NodeIO } = require('@gltf-transform/core');
 const here = dirname(fileURLToPath(import.meta.url));
 const script = resolve(here, '../../examples/blender/roomcast_sequence.py');
 const skip = spawnSync('blender', ['--version']).error ? 'blender is not installed (Debian: apt install blender)' : false;
+
+const liveScript = resolve(here, '../../examples/blender/roomcast_live.py');
+const pythonModule = resolve(dirname(binary), '../python');
+const isBuilt = existsSync(join(pythonModule, 'roomcast')) && readdirSync(join(pythonModule, 'roomcast')).some((name) => name.startsWith('_core'));
+const skipLive = skip || (isBuilt ? false : 'the Python module is not built');
 
 const cleanups = [];
 after(() => cleanups.forEach((cleanup) => cleanup()));
@@ -135,4 +142,63 @@ test('a_folder_without_an_export_is_a_sentence', { skip }, async (t) => {
   assert.equal(code, 1, output);
   assert.match(output, /roomcast_sequence\.py: .* has no set_NNNNNN\.glb, set_NNNNNN\.ply or room\.glb/);
   assert.doesNotMatch(output, /Traceback/);
+});
+
+/** Points of s0 or s1 of the small rig, as Blender has them: each is where a pixel saw something, and all are of one instant. */
+function assertSeenBy(sensor, positions) {
+  assert.equal(positions.length, 3 * 62 * 46, 'all pixels but the border, which have normals');
+  const instants = new Set();
+  for (let i = 0; i < positions.length; i += 3) {
+    const [x, y, z] = [positions[i], positions[i + 2], -positions[i + 1]]; // the room's y is up
+    const ahead = sensor === 's0' ? 2 - z : 2 - x;
+    const u = ((sensor === 's0' ? x : -z) / ahead) * 60 + 31.5;
+    const v = ((1.5 - y) / ahead) * 60 + 23.5;
+    for (const pixel of [u, v]) assert.ok(Math.abs(pixel - Math.round(pixel)) < 0.01, `${sensor}: ${u}, ${v}`);
+    const instant = ahead * 1000 - Math.round(u) - Math.round(v) - (sensor === 's0' ? 1500 : 1600);
+    assert.ok(Math.abs(instant - Math.round(instant)) < 0.01, `${sensor}: ${instant}`);
+    instants.add(Math.round(instant));
+  }
+  assert.equal(instants.size, 1);
+  return [...instants][0] / 10;
+}
+
+async function startLiveRoom(t) {
+  const hub = await startHub(t);
+  for (const sensor of ['s0', 's1']) {
+    const program = new Program(['sensor', '--source', `rig:${rig}#${sensor}`, '--hub', hub.url, '--codec', 'lossless', '--verbose']);
+    t.after(() => program.stop('SIGKILL'));
+    await program.prints(/joined/);
+  }
+  return hub;
+}
+
+test('a_live_room_is_shown_and_followed', { skip: skipLive }, async (t) => {
+  const hub = await startLiveRoom(t);
+  const ada = await RoomClient.join(t, hub.url, { name: 'Ada' });
+  const stands = setInterval(() => ada.send(writeViewerPose([0.5, 1.5, 0.25])), 50);
+  t.after(() => clearInterval(stands));
+  const out = join(scratchFolder(t), 'live.json');
+  const { code, output } = await blender('--python', join(here, 'blender_live.py'), '--', liveScript, pythonModule, hub.url, out);
+  assert.equal(code, 0, output);
+  const { told, objects, left, head, failure } = JSON.parse(readFileSync(out, 'utf8'));
+  const instants = told.map((sets) => ['s0', 's1'].map((sensor) => assertSeenBy(sensor, sets[sensor])));
+  assert.equal(instants.length, 5);
+  for (const n of [0, 1]) assert.ok(new Set(instants.map((pair) => pair[n])).size >= 4, `the points follow the room: ${instants}`);
+  assert.deepEqual(objects, ['roomcast person Ada', 'roomcast s0', 'roomcast s1']);
+  assertSame(head, [0.5, -0.25, 1.5]);
+  assert.deepEqual(left, ['roomcast s0', 'roomcast s1'], 'what was received last stays');
+  assert.match(failure, /127\.0\.0\.1/);
+});
+
+test('a_picture_of_a_live_room_is_saved_without_a_window', { skip: skipLive }, async (t) => {
+  const hub = await startLiveRoom(t);
+  const file = join(scratchFolder(t), 'room.blend');
+  const { code, output } = await blender('--python', liveScript, '--', hub.url, '--module', pythonModule, '--save', file);
+  assert.equal(code, 0, output);
+  assert.match(output, new RegExp(`^2 sensors, ${2 * 62 * 46} points$`, 'm'));
+  assert.ok(statSync(file).size > 50_000);
+  const nowhere = await blender('--python', liveScript, '--', 'ws://127.0.0.1:1', '--module', pythonModule);
+  assert.equal(nowhere.code, 1, nowhere.output);
+  assert.match(nowhere.output, /^roomcast_live\.py: .*127\.0\.0\.1/m);
+  assert.doesNotMatch(nowhere.output, /Traceback/);
 });
