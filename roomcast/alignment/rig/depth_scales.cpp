@@ -35,8 +35,8 @@ bool anything_moves(std::span<const RigPair> pairs) {
   });
 }
 
-/// Of the scales, given what is known of them.
-std::vector<double> scale_sigmas(std::span<const RefinedSensor> sensors,
+/// Of the scales, given what is known of them. Known ones are relative to the origin's.
+std::vector<double> scale_sigmas(std::span<const RefinedSensor> sensors, std::size_t origin,
                                  std::span<const DepthScale> scales,
                                  const DepthScaleOptions& options) {
   std::vector<double> sigmas;
@@ -46,6 +46,9 @@ std::vector<double> scale_sigmas(std::span<const RefinedSensor> sensors,
         is_known ? scales[i].standard_error
                  : std::max(1e-4, options.fit.scale_sigma * sensors[i].uncalibrated_belief));
   }
+  const bool any_is_known =
+      std::ranges::any_of(scales, [](const DepthScale& scale) { return scale.standard_error > 0; });
+  if (any_is_known) sigmas[origin] = 0;
   return sigmas;
 }
 
@@ -67,7 +70,8 @@ std::vector<DepthScale> estimate_depth_scales(std::span<const RefinedSensor> sen
   std::vector<DepthScale> found(sensors.size());
   if (!anything_moves(pairs)) return found;
   const JointTerms terms(sensors.size(), pairs, options.terms, residuals.surfaces);
-  const std::vector<double> sigmas(sensors.size(), options.fit.scale_sigma);
+  std::vector<double> sigmas(sensors.size(), options.fit.scale_sigma);
+  sigmas[origin] = 0;
   const JointFit fit =
       fit_jointly(terms, scaled_poses(sensors), origin, ScaleFit::kFree, sigmas, options.fit);
   if (has_slid(fit, sensors)) return found;
@@ -83,7 +87,7 @@ void refine_uncalibrated(std::size_t origin, std::span<const RigPair> pairs,
                          std::span<const DepthScale> scales, const DepthScaleOptions& options,
                          const ResidualOptions& residuals, std::vector<RefinedSensor>& sensors) {
   const JointTerms terms(sensors.size(), pairs, options.terms, residuals.surfaces);
-  const std::vector<double> sigmas = scale_sigmas(sensors, scales, options);
+  const std::vector<double> sigmas = scale_sigmas(sensors, origin, scales, options);
   JointFit fit =
       fit_jointly(terms, scaled_poses(sensors), origin, ScaleFit::kFixed, sigmas, options.fit);
   const bool keeps_poses = has_slid(fit, sensors);

@@ -40,6 +40,19 @@ SensorVector place_by_unknowns(const ScaledPose& pose, const Eigen::Vector3d& me
   return by;
 }
 
+/// Derivatives of the term's residual by the unknowns of both sensors. Residuals count in units of
+/// what was measured: else smaller scales would fit better, because they make residuals smaller.
+struct TermDerivatives {
+  SensorVector by_a, by_b;
+
+  TermDerivatives(const JointTerm& term, const ScaledPose& of_a, const ScaledPose& of_b)
+      : by_a(-place_by_unknowns(of_a, term.a_m, term.direction)),
+        by_b(place_by_unknowns(of_b, term.b_m, term.direction)) {
+    by_a(kScale) -= 0.5 * term.residual_m;
+    by_b(kScale) -= 0.5 * term.residual_m;
+  }
+};
+
 using Patch = std::pair<std::size_t, int>;  // of a sensor's picture
 
 struct System {
@@ -86,7 +99,7 @@ class JointSystem {
       const Eigen::Index k = first_of(i);
       if (i == origin_ || !terms_.view(i)) prior.segment<6>(k).setConstant(kFixedInformation);
       prior(k + kScale) =
-          i != origin_ && free_scales ? 1 / std::pow(scale_sigmas[i], 2) : kFixedInformation;
+          free_scales && scale_sigmas[i] > 0 ? 1 / std::pow(scale_sigmas[i], 2) : kFixedInformation;
       prior.segment<3>(k + kLens).setConstant(kFixedInformation);
       if (free_lenses && terms_.view(i)) prior.segment<3>(k + kLens) = lens_prior(i);
     }
@@ -138,8 +151,7 @@ class JointSystem {
   void add_term(const RigPair& pair, const JointTerm& term, double weight,
                 std::span<const ScaledPose> poses, System& system) const {
     const Eigen::Index a = first_of(pair.first), b = first_of(pair.second);
-    const SensorVector by_a = -place_by_unknowns(poses[pair.first], term.a_m, term.direction);
-    const SensorVector by_b = place_by_unknowns(poses[pair.second], term.b_m, term.direction);
+    const auto [by_a, by_b] = TermDerivatives(term, poses[pair.first], poses[pair.second]);
     system.information.block<kUnknowns, kUnknowns>(a, a) += weight * by_a * by_a.transpose();
     system.information.block<kUnknowns, kUnknowns>(b, b) += weight * by_b * by_b.transpose();
     const Eigen::Matrix<double, kUnknowns, kUnknowns> between = weight * by_a * by_b.transpose();
@@ -151,15 +163,13 @@ class JointSystem {
 
   void add_scores(const RigPair& pair, const JointTerm& term, double weight,
                   std::span<const ScaledPose> poses, System& system) const {
+    const auto [by_a, by_b] = TermDerivatives(term, poses[pair.first], poses[pair.second]);
     const auto [in_a, in_b] = patches_of(pair, term);
     for (const Patch& patch : {in_a, in_b}) {
       Eigen::VectorXd& score = system.scores[patch];
       if (score.size() == 0) score.setZero(system.gradient.size());
-      score.segment<kUnknowns>(first_of(pair.first)) -=
-          weight * term.residual_m * place_by_unknowns(poses[pair.first], term.a_m, term.direction);
-      score.segment<kUnknowns>(first_of(pair.second)) +=
-          weight * term.residual_m *
-          place_by_unknowns(poses[pair.second], term.b_m, term.direction);
+      score.segment<kUnknowns>(first_of(pair.first)) += weight * term.residual_m * by_a;
+      score.segment<kUnknowns>(first_of(pair.second)) += weight * term.residual_m * by_b;
     }
   }
 
@@ -240,7 +250,7 @@ JointFit fit_jointly(const JointTerms& terms, std::vector<ScaledPose> start, std
     System system = equations.at(poses, reach, false);
     if (is_free) {
       for (std::size_t k = 0; k < sensors; ++k)
-        if (k != origin)
+        if (scale_sigmas[k] > 0)
           system.gradient(first_of(k) + kScale) +=
               std::log(poses[k].scale) / std::pow(scale_sigmas[k], 2);
     }
@@ -258,7 +268,8 @@ JointFit fit_jointly(const JointTerms& terms, std::vector<ScaledPose> start, std
     const Eigen::Index k = first_of(i);
     const bool held = i == origin || !terms.view(i);
     fit.covariance.push_back(held ? Matrix6::Zero() : Matrix6(covariance.block<6, 6>(k, k)));
-    fit.scale_sigma.push_back(held || !is_free ? 0 : std::sqrt(covariance(k + kScale, k + kScale)));
+    const bool is_known = !is_free || !terms.view(i) || !(scale_sigmas[i] > 0);
+    fit.scale_sigma.push_back(is_known ? 0 : std::sqrt(covariance(k + kScale, k + kScale)));
   }
   return fit;
 }

@@ -58,11 +58,12 @@ enum class ScaleFit { kFixed, kFree };
 struct JointFit {
   std::vector<ScaledPose> sensors;
   std::vector<Matrix6> covariance;    // of (rotation, shift) in the origin's frame
-  std::vector<double> scale_sigma;    // of free scales; 0 of fixed ones and of the origin's
+  std::vector<double> scale_sigma;    // of free scales; 0 of others
   std::vector<std::size_t> instants;  // per sensor: in which it saw what another saw moving
 };
 
-/// `scale_sigmas`: priors of the scales, one per sensor, of fixed ones for the errors only.
+/// `scale_sigmas`: priors of the scales, one per sensor; 0: exact. Those of a fit with fixed scales
+/// count for the errors only.
 [[nodiscard]] JointFit fit_jointly(const JointTerms& terms, std::vector<ScaledPose> start,
                                    std::size_t origin, ScaleFit scales,
                                    std::span<const double> scale_sigmas,

@@ -5,6 +5,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <span>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -15,7 +18,7 @@ namespace roomcast::alignment {
 namespace {
 
 const RigidTransform kFirst = corner_pose(2, 1.5), kSecond = corner_pose(2, -1.5);
-const std::array<double, 2> kPriors = {0.03, 0.03};
+const std::array<double, 2> kPriors = {0, 0.03};
 
 struct TwoViews {
   std::shared_ptr<const SensorView> a, b;
@@ -75,6 +78,43 @@ TEST(JointFit, doubted_lenses_make_errors_larger) {
   const double sure =
       fit_jointly(terms, start, 0, ScaleFit::kFixed, kPriors, exact).covariance[1].trace();
   EXPECT_GT(doubted, 1.2 * sure);
+}
+
+TEST(JointFit, a_doubted_scale_of_the_origin_makes_errors_larger) {
+  const TwoViews views(1);
+  const JointTerms terms(2, views.pairs);
+  const std::vector<ScaledPose> start = {{{}, 1}, {start_pose(), 1}};
+  const std::array<double, 2> doubted = {0.03, 0.03};
+  const auto error = [&](std::span<const double> priors) {
+    return fit_jointly(terms, start, 0, ScaleFit::kFixed, priors).covariance[1].trace();
+  };
+  EXPECT_GT(error(doubted), 1.1 * error(kPriors));
+}
+
+/// The view of a sensor whose readings are off by up to 15 mm, here more and there less.
+std::shared_ptr<const SensorView> with_ripples(const SensorView& view) {
+  CalibrationBundle bundle = *view.bundle;
+  for (int y = 0; y < bundle.depth_mm.height(); ++y) {
+    for (int x = 0; x < bundle.depth_mm.width(); ++x) {
+      std::uint16_t& depth_mm = bundle.depth_mm.at(x, y);
+      if (depth_mm > 0)
+        depth_mm = static_cast<std::uint16_t>(depth_mm + std::lround(15 * std::sin(0.15 * x)));
+    }
+  }
+  auto rippled = make_sensor_view(bundle);
+  ROOMCAST_ASSERT(rippled.ok());
+  return std::make_shared<const SensorView>(std::move(*rippled));
+}
+
+TEST(JointFit, surfaces_that_disagree_do_not_make_scales_smaller) {
+  const auto a = walk_view({}, "a", kFirst);
+  const auto b = with_ripples(*walk_view({}, "b", kSecond));
+  const PairCandidates candidates(*a, *b, {});
+  const std::array<RigPair, 1> pairs = {{{0, 1, &candidates}}};
+  const std::array<double, 2> free = {0.03, 0.03};
+  const JointFit fit =
+      fit_jointly(JointTerms(2, pairs), {{{}, 1}, {start_pose(), 1}}, 0, ScaleFit::kFree, free);
+  EXPECT_NEAR(std::sqrt(fit.sensors[0].scale * fit.sensors[1].scale), 1, 1e-3);
 }
 
 }  // namespace

@@ -111,6 +111,13 @@ PairReport report_refused(const RigPair& pair, const RigAnswer& answer,
   if (!candidates.ranked().empty()) describe(candidates.ranked()[0], report);
   report.reason = why_pair_is_refused(candidates, options);
   if (!report.reason.empty()) return report;
+  if (answer.is_unheld(pair)) {
+    report.reason = fmt::format(
+        "{} and {} match, but their surfaces do not meet at any pose: lenses or depth are off; "
+        "measure them with roomcast calibrate, or let somebody walk through both views",
+        report.a, report.b);
+    return report;
+  }
   report.reason = is_separate_group(pair, answer.selection)
                       ? fmt::format(
                             "{} and {} fit together, but neither fits the sensors that are placed; "
@@ -219,6 +226,42 @@ std::optional<RigAnswer> uncontradicted(std::span<const RigPair> pairs, const Ri
   return kept;
 }
 
+/// Which sensors pairs connect with the origin.
+std::vector<bool> connected_with(std::size_t origin, std::size_t sensors,
+                                 std::span<const RigPair> pairs) {
+  std::vector<bool> connected(sensors);
+  connected[origin] = true;
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const RigPair& pair : pairs) {
+      if (connected[pair.first] == connected[pair.second]) continue;
+      connected[pair.first] = connected[pair.second] = grows = true;
+    }
+  }
+  return connected;
+}
+
+/// Takes sensors out of the answer whose refined poses no pair holds: nothing is known of their
+/// errors. Lenses or depth that are off make that of poses which were selected for good reasons.
+void release_unheld(std::span<const RigPair> pairs, const RigOptions& options, RigAnswer& answer) {
+  const std::size_t origin = answer.selection.origin, sensors = answer.placed.size();
+  std::vector<RigidTransform> now;
+  for (const RefinedSensor& sensor : answer.refined) now.push_back(sensor.origin_from_sensor);
+  std::vector<bool> held =
+      connected_with(origin, sensors, usable_pairs(pairs, answer.placed, now, options));
+  for (std::size_t i = 0; i < sensors; ++i)
+    if (answer.refined[i].covariance.isZero()) held[i] = false;
+  answer.unheld.assign(sensors, false);
+  bool any = false;
+  for (std::size_t i = 0; i < sensors; ++i) {
+    if (i == origin || !answer.placed[i]) continue;
+    answer.unheld[i] = !held[i];
+    answer.placed[i] = held[i];
+    any = any || held[i];
+  }
+  if (sensors > 1) answer.placed[origin] = any;
+}
+
 /// Solves until the answer does not contradict itself. The most contradicted sensor is removed each
 /// time, and the rest is solved again, because it must be valid on its own.
 RigAnswer answer_without_contradiction(std::size_t sensors, std::span<const RigPair> pairs,
@@ -233,8 +276,11 @@ RigAnswer answer_without_contradiction(std::size_t sensors, std::span<const RigP
       refine_again(left, options, scales, answer);  // the poses may not be exact yet
       fooled = check.contradicted_sensor(left, answer);
     }
-    const auto found = uncontradicted(left, answer, fooled.has_value(), options, scales, check);
-    if (found) return *found;
+    auto found = uncontradicted(left, answer, fooled.has_value(), options, scales, check);
+    if (found) {
+      release_unheld(left, options, *found);
+      return *std::move(found);
+    }
     std::erase_if(
         left, [&](const RigPair& pair) { return pair.first == *fooled || pair.second == *fooled; });
   }

@@ -2,6 +2,7 @@
 #include "roomcast/alignment/rig/placed_rig.h"
 
 #include <array>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -72,6 +73,23 @@ TEST(PlacedRig, is_refined_once_more_before_it_is_said_to_contradict_itself) {
   const AlignmentReport report = place_rig(views, pairs);
   ASSERT_TRUE(report.sensors[0].placed && report.sensors[1].placed) << report.pairs[0].reason;
   EXPECT_LT(difference(report.pairs[0].b_from_a->inverse(), true_pose(a, b)).distance_m, 0.01);
+}
+
+TEST(PlacedRig, leaves_out_a_sensor_whose_refined_pose_no_pair_holds) {
+  const ViewFixture a = beside_pillar("a", -0.45), b = beside_pillar("b", 0.45);
+  const PairCandidates candidates(*a.view, *b.view, matches_in_group(a, b, {20, 0, 1}));
+  const std::array<RigPair, 1> pairs = {{{0, 1, &candidates}}};
+  const std::array<const SensorView*, 2> views = {a.view.get(), b.view.get()};
+  ASSERT_TRUE(place_rig(views, pairs).sensors[1].placed);
+
+  RigOptions strict;  // pooled evidence selects the pose, but nothing holds it
+  strict.pair.evidence.strong_support = strict.pair.evidence.faint_score = 1e6;
+  strict.placing.holding_support = strict.placing.holding_score = 1e6;
+  const AlignmentReport report = place_rig(views, pairs, strict);
+  for (const SensorReport& sensor : report.sensors) {
+    EXPECT_FALSE(sensor.placed);
+    EXPECT_NE(sensor.reason.find("surfaces do not meet"), std::string::npos) << sensor.reason;
+  }
 }
 
 }  // namespace

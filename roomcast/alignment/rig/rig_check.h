@@ -56,10 +56,15 @@ struct RigAnswer {
   PoseSelection selection;
   std::vector<bool> placed;
   std::vector<RefinedSensor> refined;
+  /// Selected, but no pair holds at the refined poses; not placed. Empty: none.
+  std::vector<bool> unheld = {};
 
   [[nodiscard]] RigidTransform relative(const RigPair& pair) const {
     return refined[pair.first].origin_from_sensor.inverse() *
            refined[pair.second].origin_from_sensor;
+  }
+  [[nodiscard]] bool is_unheld(const RigPair& pair) const {
+    return !unheld.empty() && (unheld[pair.first] || unheld[pair.second]);
   }
   [[nodiscard]] PairState state(const RigPair& pair) const {
     return {relative(pair), refined[pair.first].correction, refined[pair.second].correction};
