@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The alert rules for Prometheus: they ask for metrics that a hub has, with labels that these have. (promtool checks their
-// grammar where it is installed.)
+// grammar, and when they come, where it is installed.)
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
-import { startHub, startSensor } from './program.mjs';
+import { scratchFolder, startHub, startSensor } from './program.mjs';
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 const file = join(root, 'packaging/alerts/roomcast.rules.yml');
@@ -35,7 +35,17 @@ test('each_rule_says_what_it_is_and_what_to_do', () => {
   for (const alert of alerts) assert.match(alert, /expr: .*[^]*severity: (warning|critical)[^]*summary: "[^]+"[^]*description: "[^]+"/, alert);
 });
 
-test('promtool_accepts_the_rules', { skip: spawnSync('promtool', ['--version']).error ? 'promtool is not installed' : false }, () => {
-  const { status, stdout, stderr } = spawnSync('promtool', ['check', 'rules', file], { encoding: 'utf8' });
+const skip = spawnSync('promtool', ['--version']).error ? 'promtool is not installed (Debian: apt install prometheus)' : false;
+
+function promtool(...args) {
+  const { status, stdout, stderr } = spawnSync('promtool', args, { encoding: 'utf8' });
   assert.equal(status, 0, stdout + stderr);
+}
+
+test('promtool_accepts_the_rules', { skip }, () => promtool('check', 'rules', file));
+
+test('each_alert_comes_when_it_should_and_says_what_is_wrong', { skip }, (t) => {
+  const cases = join(scratchFolder(t), 'alert_rules.yml');
+  writeFileSync(cases, readFileSync(join(root, 'tests/cli/alert_rules.yml'), 'utf8').replace('RULES', JSON.stringify(file)));
+  promtool('test', 'rules', cases);
 });
