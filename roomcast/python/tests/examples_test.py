@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The examples run, are short, and say what is wrong."""
+import json
+import os
 import re
 import subprocess
 import sys
@@ -63,6 +65,25 @@ class Examples(TestCase):
         out = self.folder() / "depth.png"
         self.prints("^2 sensors", "plot_depth.py", write_rig(self.folder()), out, 0.2)
         self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
+
+    def test_the_notebook_plots(self):
+        try:
+            import matplotlib  # noqa: F401
+        except ImportError:
+            self.skipTest("python3-matplotlib is not installed")
+        notebook = json.loads((EXAMPLES / "look_at_a_room.ipynb").read_text(encoding="utf-8"))
+        self.assertEqual((notebook["nbformat"], notebook["nbformat_minor"]), (4, 5))
+        cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+        self.assertTrue(all(not cell["outputs"] for cell in cells), "it is kept without its outputs")
+        program = self.folder() / "cells.py"
+        shows = "print(len(plt.get_fignums()), 'figures')\n"
+        program.write_text("\n\n".join(cell["source"] for cell in cells) + "\n\n" + shows, encoding="utf-8")
+        environment = {**os.environ, "MPLBACKEND": "Agg", "ROOMCAST_RECORDING": str(write_rig(self.folder()))}
+        ended = subprocess.run(
+            [sys.executable, str(program)], capture_output=True, text=True, timeout=120, env=environment
+        )
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        self.assertRegex(ended.stdout, r"s0: 64 x 48, .*\n(.*\n)*\d+ points\n3 figures\n$")
 
     def test_without_a_recording_or_a_hub_says_so_in_one_line(self):
         nowhere, nobody = self.folder() / "nowhere", "ws://127.0.0.1:1"
