@@ -11,6 +11,9 @@
 namespace roomcast::cli {
 namespace {
 
+/// Belief that sensors are not calibrated, above which users are told.
+constexpr double kDoubtedFrom = 0.5;
+
 nlohmann::json json_of(const std::optional<RigidTransform>& transform) {
   if (!transform) return nullptr;
   return row_major_from_transform(*transform);
@@ -52,7 +55,9 @@ nlohmann::json json_of(const alignment::PairReport& pair) {
 }
 
 nlohmann::json json_of(const alignment::AlignmentReport& report) {
-  nlohmann::json json = {{"sensors", nlohmann::json::array()}, {"pairs", nlohmann::json::array()}};
+  nlohmann::json json = {{"sensors", nlohmann::json::array()},
+                         {"pairs", nlohmann::json::array()},
+                         {"uncalibrated_belief", report.uncalibrated_belief}};
   for (const auto& sensor : report.sensors) json["sensors"].push_back(json_of(sensor));
   for (const auto& pair : report.pairs) json["pairs"].push_back(json_of(pair));
   return json;
@@ -104,6 +109,27 @@ std::string shared_text(double overlap, int inliers, const std::string& residual
   return fmt::format("{:>5.0f} % {:>7} {:>9}", 100 * overlap, inliers, residual);
 }
 
+/// Factors on readings, and doubts about calibrations, in sentences; empty if there are none.
+std::string calibration_text(const alignment::AlignmentReport& report) {
+  std::string factors, text;
+  for (const auto& sensor : report.sensors) {
+    if (sensor.depth_scale != 1)
+      factors += fmt::format("{}{} {:.3f} (+-{:.3f})", factors.empty() ? "" : ", ", sensor.id,
+                             sensor.depth_scale, sensor.depth_scale_standard_error);
+  }
+  if (!factors.empty())
+    text += fmt::format("\nThese poses need depth multiplied by: {}.\n", factors);
+  if (report.uncalibrated_belief > kDoubtedFrom) {
+    text +=
+        "\nSurfaces disagree as those of sensors do that nobody calibrated. `roomcast calibrate` "
+        "measures a sensor's lens and depth";
+    text += factors.empty() ? "; a recording in which somebody walks through all views reveals "
+                              "depth that is too long or too short.\n"
+                            : ".\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string alignment_json(const alignment::AlignmentReport& report) {
@@ -140,7 +166,7 @@ std::string alignment_table(const alignment::AlignmentReport& report) {
         pair.accepted ? "accepted" : "refused", shared_text(pair.overlap, pair.inliers, residual),
         millimetres(pair.expected_error_mm > 0, pair.expected_error_mm), pair.reason);
   }
-  return text;
+  return text + calibration_text(report);
 }
 
 }  // namespace roomcast::cli

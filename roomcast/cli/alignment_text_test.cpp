@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/cli/alignment_text.h"
 
+#include <string>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -87,6 +89,23 @@ TEST(AlignmentText, the_table_has_no_figures_for_refused_pairs) {
   EXPECT_NE(table.find("4.5 mm"), std::string::npos) << table;
   EXPECT_EQ(table.find("0.0 mm"), std::string::npos) << table;
   EXPECT_NE(table.find("nothing is shared"), std::string::npos) << table;
+}
+
+TEST(AlignmentText, says_what_is_known_of_calibrations) {
+  alignment::AlignmentReport of_calibrated = report();
+  EXPECT_EQ(alignment_table(of_calibrated).find("roomcast calibrate"), std::string::npos);
+
+  alignment::AlignmentReport doubted = report();
+  doubted.uncalibrated_belief = 0.9;
+  EXPECT_NE(alignment_table(doubted).find("walks through all views"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(alignment_json(doubted))["uncalibrated_belief"], 0.9);
+
+  doubted.sensors[1].depth_scale = 1.044;
+  doubted.sensors[1].depth_scale_standard_error = 0.009;
+  const std::string table = alignment_table(doubted);
+  EXPECT_NE(table.find("multiplied by: s1 1.044 (+-0.009)."), std::string::npos) << table;
+  EXPECT_NE(table.find("roomcast calibrate"), std::string::npos);
+  EXPECT_EQ(table.find("walks through all views"), std::string::npos);
 }
 
 }  // namespace
