@@ -8,6 +8,9 @@
 
 include_guard(GLOBAL)
 
+find_library(ROOMCAST_LAPACK lapack)  # which the archives need
+find_library(ROOMCAST_BLAS blas)
+
 function(roomcast_opencv_modules)
   find_path(ROOMCAST_OPENCV_INCLUDE opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)
   foreach(module IN LISTS ARGN)
@@ -18,7 +21,7 @@ function(roomcast_opencv_modules)
     add_library(opencv::${module} INTERFACE IMPORTED GLOBAL)
     target_include_directories(opencv::${module} SYSTEM INTERFACE ${ROOMCAST_OPENCV_INCLUDE})
     string(REGEX REPLACE "\\.so$" ".a" archive ${ROOMCAST_OPENCV_${module}})
-    if(EXISTS ${archive})
+    if(EXISTS ${archive} AND ROOMCAST_LAPACK AND ROOMCAST_BLAS)
       set(is_static $<BOOL:$<TARGET_PROPERTY:ROOMCAST_STATIC_OPENCV>>)
       target_link_libraries(opencv::${module} INTERFACE
         $<IF:${is_static},roomcast_static_opencv,${ROOMCAST_OPENCV_${module}}>)
@@ -36,4 +39,6 @@ foreach(module IN ITEMS calib3d features2d flann imgproc core)
     target_link_libraries(roomcast_static_opencv INTERFACE ${ROOMCAST_OPENCV_ARCHIVE_${module}})
   endif()
 endforeach()
-target_link_libraries(roomcast_static_opencv INTERFACE tbb lapack blas z ${CMAKE_DL_LIBS})
+if(ROOMCAST_LAPACK AND ROOMCAST_BLAS)
+  target_link_libraries(roomcast_static_opencv INTERFACE tbb ${ROOMCAST_LAPACK} ${ROOMCAST_BLAS} z ${CMAKE_DL_LIBS})
+endif()
