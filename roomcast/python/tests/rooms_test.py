@@ -3,6 +3,7 @@
 import signal
 import threading
 import time
+import wave
 
 import numpy as np
 
@@ -140,9 +141,9 @@ HEAD = np.array([[1, 0, 0, 0.5], [0, 1, 0, 1.5], [0, 0, 1, 2], [0, 0, 0, 1.0]])
 
 class People(TestCase):
     def setUp(self):
-        url = self.start_hub()
-        self.ada = self.enterContext(roomcast.watch(url, name="Ada"))
-        self.ben = self.enterContext(roomcast.watch(url, name="Ben", hears=True))
+        self.url = self.start_hub()
+        self.ada = self.enterContext(roomcast.watch(self.url, name="Ada"))
+        self.ben = self.enterContext(roomcast.watch(self.url, name="Ben", hears=True))
 
     def enterContext(self, context):  # unittest has it since 3.11
         self.addCleanup(context.__exit__, None, None, None)
@@ -206,6 +207,31 @@ class People(TestCase):
         self.assertTrue(self.ben.next_voice(timeout_s=10).ends)
         with self.assertRaisesRegex(roomcast.Error, "ahead of time"):
             self.ada.speak(np.zeros(48_001))
+
+    def test_are_recorded_with_what_they_say(self):
+        file, voices = self.folder() / "room.mcap", self.folder() / "voices"
+        recorder = threading.Thread(target=run_program, args=("record", file, "--hub", self.url, "--seconds", 4))
+        recorder.start()
+        self.until(lambda: len(self.ben.people) == 3)
+        begin, late_s = time.monotonic(), 0
+        for i in range(60):  # 2.4 s in real time
+            at = np.arange(1920 * i, 1920 * (i + 1)) / 48_000
+            self.ada.speak(0.5 * np.sin(2 * np.pi * 440 * at))
+            time.sleep(max(0, begin + 0.04 * (i + 1) - time.monotonic()))
+            late_s = max(late_s, time.monotonic() - begin - 0.04 * (i + 1))
+        self.ada.pause_speaking()
+        recorder.join()
+        if late_s > 0.15:
+            self.skipTest(f"this machine was too busy to speak in real time: {late_s:.2f} s late")
+        run_program("export", file, "--format", "wav", "--out", voices)
+        with wave.open(str(voices / "voices.wav")) as sound:
+            self.assertEqual((sound.getframerate(), sound.getnchannels()), (48_000, 1))
+            samples = np.frombuffer(sound.readframes(sound.getnframes()), "<i2") / 32767
+        heard = np.flatnonzero(abs(samples) > 0.1)
+        middle = samples[heard[0] : heard[-1]][24_000:72_000]
+        self.assertAlmostEqual((heard[-1] - heard[0]) / 48_000, 2.4, delta=0.15)
+        self.assertAlmostEqual(np.sqrt((middle**2).mean()), 0.5 / np.sqrt(2), delta=0.03)
+        self.assertEqual(np.argmax(abs(np.fft.rfft(middle))), 440, "a tone without gaps")
 
     def test_place_sensors_only_with_an_admins_token(self):
         self.assertFalse(self.ada.may_place)
