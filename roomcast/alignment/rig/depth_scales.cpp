@@ -3,11 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace roomcast::alignment {
 namespace {
 
 constexpr double kMaxJointShift_m = 0.3;  // of a pose by the fit; beyond it the fit has slid
+
+/// Spread of a scale relative to the origin's: both are off.
+double relative_sigma(const DepthScaleOptions& options) {
+  return std::numbers::sqrt2 * options.fit.scale_sigma;
+}
 
 std::vector<ScaledPose> scaled_poses(std::span<const RefinedSensor> sensors) {
   std::vector<ScaledPose> poses;
@@ -21,7 +27,7 @@ DepthScale accepted(double estimate, double standard_error, double uncalibrated_
                     const DepthScaleOptions& options) {
   if (!(standard_error > 0) || standard_error > options.max_standard_error) return {};
   const double calibrated = options.calibrated * (1 - uncalibrated_belief);
-  const double spread = std::hypot(options.fit.scale_sigma, standard_error);
+  const double spread = std::hypot(relative_sigma(options), standard_error);
   const double at_one =
       calibrated / standard_error * std::exp(-0.5 * std::pow((estimate - 1) / standard_error, 2));
   const double elsewhere =
@@ -70,7 +76,7 @@ std::vector<DepthScale> estimate_depth_scales(std::span<const RefinedSensor> sen
   std::vector<DepthScale> found(sensors.size());
   if (!anything_moves(pairs)) return found;
   const JointTerms terms(sensors.size(), pairs, options.terms, residuals.surfaces);
-  std::vector<double> sigmas(sensors.size(), options.fit.scale_sigma);
+  std::vector<double> sigmas(sensors.size(), relative_sigma(options));
   sigmas[origin] = 0;
   const JointFit fit =
       fit_jointly(terms, scaled_poses(sensors), origin, ScaleFit::kFree, sigmas, options.fit);
