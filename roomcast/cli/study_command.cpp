@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast study: checks the plan of a study with people, exports its sessions, erases
-// participants.
+// roomcast study: checks the plan of a study with people, exports its sessions and compares its
+// conditions, says how to film what a participant saw, erases participants.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -12,16 +12,19 @@
 #include "roomcast/cli/print.h"
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/recording/recorder/unix_clock.h"
+#include "roomcast/recording/room/room_recording.h"
 #include "roomcast/study/counterbalance.h"
 #include "roomcast/study/plan.h"
+#include "roomcast/study/session_path.h"
 #include "roomcast/study/study_export.h"
 #include "roomcast/study/study_folder.h"
+#include "roomcast/study/study_report.h"
 
 namespace roomcast::cli {
 namespace {
 
 struct StudyOptions {
-  std::filesystem::path plan, folder, out;
+  std::filesystem::path plan, folder, out, recording;
   std::string participant;
   bool json = false;
 };
@@ -107,6 +110,71 @@ Outcome export_study(const StudyOptions& options) {
   return Status();
 }
 
+Outcome report_study(const StudyOptions& options) {
+  const auto folder = study::StudyFolder::open(options.folder);
+  if (!folder) return folder.error();
+  const auto summary = study::summarise(*folder);
+  if (!summary) return summary.error();
+  if (summary->measures.empty())
+    return Error{ErrorCode::kNotFound, "nobody has gone through a condition of this study yet"};
+  if (auto status = study::write_report(*summary, options.out); !status) return status.error();
+  if (options.json) {
+    nlohmann::json measures = nlohmann::json::array();
+    for (const auto& measure : summary->measures)
+      measures.push_back({{"name", measure.name}, {"values", measure.values}});
+    print_out("{}\n", nlohmann::json{{"study", summary->study},
+                                     {"out", options.out.string()},
+                                     {"participants", summary->participants},
+                                     {"measures", std::move(measures)}}
+                          .dump(1));
+    return Status();
+  }
+  print_out("{}: {} participants, {} measures\n", (options.out / "report.html").string(),
+            summary->participants, summary->measures.size());
+  return Status();
+}
+
+/// The command that films a condition.
+std::string film_command(const StudyOptions& options, const study::SeenCondition& seen) {
+  const std::string base = (options.out / seen.name).string();
+  return fmt::format(
+      "roomcast export {} --format video --out {} --path {}.json --from {:.3f} --to {:.3f}{}",
+      options.recording.string(), base, base, seen.from_s, seen.to_s,
+      seen.mode.empty() ? "" : " --mode " + seen.mode);
+}
+
+Outcome replay_session(const StudyOptions& options) {
+  const auto folder = study::StudyFolder::open(options.folder);
+  if (!folder) return folder.error();
+  const auto recording = recording::RoomRecording::open(options.recording);
+  if (!recording) return recording.error();
+  const auto seen = study::seen_conditions(*folder, options.participant, recording->start(),
+                                           recording->end() - recording->start());
+  if (!seen) return seen.error();
+  std::error_code error;
+  std::filesystem::create_directories(options.out, error);
+  if (error)
+    return Error{ErrorCode::kUnavailable,
+                 "cannot make " + options.out.string() + ": " + error.message()};
+  nlohmann::json conditions = nlohmann::json::array();
+  for (const auto& condition : *seen) {
+    const auto file = options.out / (condition.name + ".json");
+    if (auto status = io::write_file(file, study::path_json(condition.keys)); !status)
+      return status.error();
+    if (!options.json) print_out("{}\n", film_command(options, condition));
+    conditions.push_back({{"condition", condition.name},
+                          {"path", file.string()},
+                          {"from_s", condition.from_s},
+                          {"to_s", condition.to_s},
+                          {"command", film_command(options, condition)}});
+  }
+  if (options.json)
+    print_out("{}\n", nlohmann::json{{"participant", options.participant},
+                                     {"conditions", std::move(conditions)}}
+                          .dump(1));
+  return Status();
+}
+
 Outcome erase_participant(const StudyOptions& options) {
   auto folder = study::StudyFolder::open(options.folder);
   if (!folder) return folder.error();
@@ -122,7 +190,8 @@ Outcome erase_participant(const StudyOptions& options) {
 void add_study_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<StudyOptions>();
   CLI::App* command = app.add_subcommand(
-      "study", "Studies with people: check a plan, export sessions, erase a participant");
+      "study",
+      "Studies with people: check a plan, export and compare sessions, erase a participant");
   command->require_subcommand(1);
 
   CLI::App* example = command->add_subcommand("example", "Print a plan to begin with");
@@ -153,6 +222,33 @@ void add_study_command(CLI::App& app, Command& chosen) {
     chosen = [options] { return finish("study", export_study(*options)); };
   });
 
+  CLI::App* report = command->add_subcommand(
+      "report", "Compare the conditions: figures, and their means with intervals");
+  report->add_option("folder", options->folder, "Folder of the study")->required();
+  report->add_option("--out", options->out, "New folder to write to")->required();
+  report->add_flag("--json", options->json, "Print JSON, with the value of each participant");
+  report->footer(
+      "report.html has all figures; each is also a file of its own, NAME.svg.\n"
+      "Example:\n  roomcast study report study-delay --out delay-report");
+  report->callback([options, &chosen] {
+    chosen = [options] { return finish("study", report_study(*options)); };
+  });
+
+  CLI::App* replay = command->add_subcommand(
+      "replay", "Say how to film a recording as a participant saw the room");
+  replay->add_option("folder", options->folder, "Folder of the study")->required();
+  replay->add_option("participant", options->participant, "Its number, as P007")->required();
+  replay->add_option("--recording", options->recording, "FILE.mcap of the room, of that time")
+      ->required();
+  replay->add_option("--out", options->out, "Folder for the ways of the head")->required();
+  replay->add_flag("--json", options->json, "Print JSON");
+  replay->footer(
+      "It prints a command for each condition.\n"
+      "Example:\n  roomcast study replay study-delay P007 --recording lab.mcap --out seen | sh");
+  replay->callback([options, &chosen] {
+    chosen = [options] { return finish("study", replay_session(*options)); };
+  });
+
   CLI::App* erase = command->add_subcommand("erase", "Erase all of a participant, for good");
   erase->add_option("folder", options->folder, "Folder of the study")->required();
   erase->add_option("participant", options->participant, "Its number, as P007")->required();
@@ -168,6 +264,7 @@ void add_study_command(CLI::App& app, Command& chosen) {
       "  roomcast study example > plan.toml\n"
       "  roomcast study check plan.toml\n"
       "  roomcast study export ~/.local/state/roomcast/study-delay --csv delay-csv\n"
+      "  roomcast study report ~/.local/state/roomcast/study-delay --out delay-report\n"
       "  roomcast study erase ~/.local/state/roomcast/study-delay P007");
 }
 

@@ -20,4 +20,19 @@ std::string utc_text(nanoseconds unix_time) {
   return text.data();
 }
 
+std::optional<nanoseconds> read_utc_text(const std::string& text) {
+  std::tm parts{};
+  const char* rest = ::strptime(text.c_str(), "%Y-%m-%dT%H:%M:%S", &parts);
+  if (rest == nullptr) return std::nullopt;
+  std::int64_t fraction_ns = 0, unit_ns = 1'000'000'000;
+  if (*rest == '.') {
+    for (++rest; *rest >= '0' && *rest <= '9'; ++rest) {
+      unit_ns /= 10;
+      fraction_ns += (*rest - '0') * unit_ns;
+    }
+  }
+  if (*rest != 'Z' || rest[1] != '\0') return std::nullopt;
+  return std::chrono::seconds(::timegm(&parts)) + nanoseconds(fraction_ns);
+}
+
 }  // namespace roomcast

@@ -51,8 +51,8 @@ TEST_F(StudyExportTest, has_every_record_with_participant_and_condition) {
                           "P002,3,two,q,i,\"yes, \"\"both\"\"\",0,2.5", "P002,5,,q,i,7,0,2.5"));
   EXPECT_THAT(lines("participants.csv"),
               ElementsAre("participant,number,consented_at,plan,order,steps,seconds",
-                          "P001,1,2027-01-15T08:00:00Z,aaaaaaaaaaaaaaaa,one two,0,0.000",
-                          "P002,2,2027-01-15T08:00:00Z,aaaaaaaaaaaaaaaa,two one,1,5.000"));
+                          "P001,1,2027-01-15T08:00:00.000Z,aaaaaaaaaaaaaaaa,one two,0,0.000",
+                          "P002,2,2027-01-15T08:00:00.000Z,aaaaaaaaaaaaaaaa,two one,1,5.000"));
 }
 
 TEST_F(StudyExportTest, says_what_every_column_means) {

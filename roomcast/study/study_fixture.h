@@ -22,6 +22,11 @@ class StudyFixture : public testing::Test {
             .participants = 3,
             .conditions = {{.name = "one"}, {.name = "two"}}};
   }
+  /// A study with this plan.
+  StudyFolder create_from(const std::string& toml) {
+    plan = read_plan(toml).plan;
+    return *StudyFolder::create(path, plan, toml, std::string(64, 'b'));
+  }
   StudyFolder create() {
     return *StudyFolder::create(path, plan, "name = 1", std::string(64, 'a'));
   }

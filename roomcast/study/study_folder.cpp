@@ -26,9 +26,9 @@ constexpr const char *kAboutFile = "study.json", *kPeople = "participants", *kPl
 constexpr const char *kPersonFile = "participant.json", *kLogFile = "log.jsonl";
 constexpr std::size_t kMaxSmallFile = 1U << 20U;
 
-/// "2026-11-26T12:00:00Z"
-std::string utc_second(nanoseconds now) {
-  return utc_text(now).substr(0, 19) + "Z";
+/// "2026-11-26T12:00:00.123Z"
+std::string utc_millisecond(nanoseconds now) {
+  return utc_text(now).substr(0, 23) + "Z";
 }
 
 bool is_id(const std::string& id) {
@@ -130,6 +130,10 @@ Result<StudyFolder> StudyFolder::open(const fs::path& folder) {
   return StudyFolder(folder, text_in(*about, "study"));
 }
 
+Result<StudyPlan> StudyFolder::plan_of(const Participant& participant) const {
+  return load_plan(folder_ / kPlans / (participant.plan_sha256.substr(0, 16) + ".toml"));
+}
+
 fs::path StudyFolder::folder_of(const std::string& id) const {
   return folder_ / kPeople / id;
 }
@@ -153,7 +157,7 @@ Result<Participant> StudyFolder::enroll(const StudyPlan& plan, std::string key_s
   const std::size_t number = next_number();
   Participant person{.id = fmt::format("P{:03}", number),
                      .number = number,
-                     .consented_at = utc_second(now),
+                     .consented_at = utc_millisecond(now),
                      .consent = plan.consent,
                      .key_sha256 = std::move(key_sha256),
                      .plan_sha256 = plan_sha256_};
@@ -266,7 +270,7 @@ Status StudyFolder::erase(const std::string& id, nanoseconds now) {
   fs::rename(folder_of(id), gone, error);
   if (!error) fs::remove_all(gone, error);
   if (error) return Error{ErrorCode::kUnavailable, "cannot erase " + id + ": " + error.message()};
-  return io::append_line(folder_ / kErasedFile, id + " erased " + utc_second(now));
+  return io::append_line(folder_ / kErasedFile, id + " erased " + utc_millisecond(now));
 }
 
 }  // namespace roomcast::study

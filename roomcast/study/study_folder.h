@@ -28,7 +28,7 @@ struct Participant {
   std::string id;  // "P007"
   std::size_t number = 0;
   std::vector<std::string> order = {};  // names of conditions
-  std::string consented_at;             // UTC, as 2026-11-26T12:00:00Z
+  std::string consented_at;             // UTC, as 2026-11-26T12:00:00.123Z
   std::string consent;                  // the text that was agreed to
   std::string key_sha256;               // hexadecimal
   std::string plan_sha256;              // of the plan, as in the folder's plans/
@@ -52,6 +52,9 @@ class StudyFolder {
   [[nodiscard]] Result<Participant> participant(const std::string& id) const;
   /// Sorted.
   [[nodiscard]] std::vector<std::string> participants() const;
+
+  /// The plan that they took part in. Errors of load_plan().
+  [[nodiscard]] Result<StudyPlan> plan_of(const Participant& participant) const;
 
   /// Appends checked records. A batch whose number is not above the last one is there already and
   /// is not written again. kNotFound, kMalformed as check_record(); kTooLarge: the log is full;

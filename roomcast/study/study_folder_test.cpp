@@ -26,7 +26,7 @@ TEST_F(StudyFolderTest, keeps_consent_and_order_of_each_participant) {
   const auto kept = StudyFolder::open(path)->participant("P001");
   ASSERT_TRUE(kept.ok()) << kept.error().message;
   EXPECT_EQ(kept->consent, "We keep your answers.");
-  EXPECT_EQ(kept->consented_at, "2027-01-15T08:00:00Z");
+  EXPECT_EQ(kept->consented_at, "2027-01-15T08:00:00.000Z");
   EXPECT_EQ(kept->key_sha256, "k1");
   EXPECT_THAT(study.participants(), ElementsAre("P001", "P002"));
 }

@@ -44,6 +44,8 @@ test('what is not there is told', async () => {
     [['check', join(folder, 'none.toml')], /none\.toml/],
     [['export', folder, '--csv', join(folder, 'csv')], /is no folder of a study/],
     [['erase', folder, 'P001'], /is no folder of a study/],
+    [['report', folder, '--out', join(folder, 'report')], /is no folder of a study/],
+    [['replay', folder, 'P001', '--recording', plan, '--out', folder], /is no folder of a study/],
   ]) {
     const { code, stderr } = await run('study', ...args);
     assert.equal(code, 1, args[0]);

@@ -63,7 +63,7 @@ const planFile = join(folder, 'plan.toml');
 const sessions = join(folder, 'sessions');
 let hub, sensors, browser;
 
-const start = (port = 0) => startHub(port, { data: join(folder, 'data'), more: ['--study', planFile, '--study-folder', sessions] });
+const start = (port = 0) => startHub(port, { data: join(folder, 'data'), more: ['--study', planFile, '--study-folder', sessions, '--record'] });
 const open = (context = browser.context, more = '') => openPage(context, `${hub.page}?study=1&at=0.2,1.7,2.6&look=0,0.9,-1${more}`);
 const sheet = (page) => page.locator('#study-sheet');
 const button = (page, name) => page.getByRole('button', { name, exact: true });
@@ -195,8 +195,29 @@ describe('a participant', () => {
     const added = median('late') - median('live');
     t.diagnostic(`latency logged: live ${median('live')} ms, late ${median('late')} ms; on the page ${JSON.stringify(latencies)}`);
     assert.ok(added > 1000 && added < 2500, `${added} ms were added`);
+    await run('study', 'report', sessions, '--out', join(folder, 'report'));
+    const means = read(join(folder, 'report'), 'summary').map(({ measure, condition, mean }) => [measure, condition, Number(mean)]);
+    assert.deepEqual(means.filter(([measure]) => measure === 'presence.there'), [['presence.there', 'live', 6], ['presence.there', 'late', 3]]);
+    const latency = Object.fromEntries(means.filter(([measure]) => measure === 'latency_ms').map(([, name, mean]) => [name, mean]));
+    assert.deepEqual(latency, { live: median('live'), late: median('late') });
+    assert.match(readFileSync(join(folder, 'report', 'report.html'), 'utf8'), /I had the feeling of being in that room\./);
     const dictionary = read(csv, 'data_dictionary');
     assert.ok(dictionary.every(({ file, column }) => file && column));
+  });
+});
+
+describe('what a participant saw', () => {
+  test('is found in a recording of the room', slow, async () => {
+    const [file] = readdirSync(join(folder, 'data', 'recordings'));
+    const recording = join(folder, 'data', 'recordings', file);
+    const lines = await run('study', 'replay', sessions, 'P001', '--recording', recording, '--out', join(folder, 'seen'), '--json');
+    const { conditions } = JSON.parse(lines.join('\n'));
+    assert.deepEqual(conditions.map(({ condition }) => condition), ['live', 'late']);
+    const [live, late] = conditions;
+    assert.ok(late.to_s - late.from_s > 5.5 && late.from_s > live.to_s - 1.5, lines.join());
+    assert.match(late.command, /export .*--format video .*late\.json --from [\d.]+ --to [\d.]+ --mode points$/);
+    const { keys } = JSON.parse(readFileSync(live.path, 'utf8'));
+    assert.deepEqual(keys.at(-1).at, [0.5, 1.6, 0.5]);
   });
 });
 

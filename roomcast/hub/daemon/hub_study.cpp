@@ -11,8 +11,8 @@
 #include "roomcast/core/hex_text.h"
 #include "roomcast/hub/access/one_time_code.h"
 #include "roomcast/hub/access/sha256.h"
-#include "roomcast/hub/access/wall_clock.h"
 #include "roomcast/io/file_bytes.h"
+#include "roomcast/recording/recorder/unix_clock.h"
 
 namespace roomcast::hub::daemon {
 
@@ -32,7 +32,7 @@ bool are_equal(const std::string& a, const std::string& b) {
 }
 
 nanoseconds now_since_1970() {
-  return std::chrono::seconds(hub::wall_time());
+  return recording::UnixClock().now();
 }
 
 }  // namespace
