@@ -36,20 +36,42 @@ interface Line {
 interface Heard {
   samples: Float32Array;
   buffer: JitterBuffer;
+}
 
+interface Arrival {
+  seq: number;
+  at_ms: number;
 }
 
 /** In-order delivery, as by a WebSocket: a late packet holds up those behind it. */
 function listen({ seconds, jitter_ms = 0, loss = 0, delay_ms = () => 0, rate = 1, seed = 1, endsAt }: Line): Heard {
   const random = randomFrom(seed);
   const count = Math.round((1000 * seconds) / packet_ms);
-  const arrivals: { seq: number; at_ms: number }[] = [];
+  const arrivals: Arrival[] = [];
   let before_ms = 0;
   for (let seq = 0; seq < count; seq++) {
     const said_ms = (seq + 1) * packet_ms * rate; // it is complete
     before_ms = Math.max(before_ms, said_ms + 30 + jitter_ms * random() + delay_ms(said_ms));
     if (random() >= loss) arrivals.push({ seq, at_ms: before_ms });
   }
+  return play(arrivals, seconds, rate, endsAt);
+}
+
+/** Several people on one line, whose packets hold up each other's. */
+function listenToMany(people: number, { seconds, jitter_ms = 0, loss = 0, seed = 1 }: Line): Heard[] {
+  const random = randomFrom(seed);
+  const said = Array.from({ length: Math.round((1000 * seconds) / packet_ms) }, (_, seq) =>
+    Array.from({ length: people }, (_, person) => ({ seq, person, said_ms: (seq + 1 + person / people) * packet_ms })));
+  const arrivals = Array.from({ length: people }, (): Arrival[] => []);
+  let before_ms = 0;
+  for (const { seq, person, said_ms } of said.flat()) {
+    before_ms = Math.max(before_ms, said_ms + 30 + jitter_ms * random());
+    if (random() >= loss) arrivals[person]!.push({ seq, at_ms: before_ms });
+  }
+  return arrivals.map((each) => play(each, seconds, 1, undefined));
+}
+
+function play(arrivals: readonly Arrival[], seconds: number, rate: number, endsAt: number | undefined): Heard {
   const buffer = new JitterBuffer();
   const samples = new Float32Array(Math.round(((seconds + 0.5) * sampleRate_hz) / quantum) * quantum);
   for (let at = 0, i = 0; at < samples.length; at += quantum) {
@@ -94,6 +116,17 @@ describe('a jitter buffer', () => {
       expect(longestGap_ms(heard, 60)).toBeLessThanOrEqual(60);
       const { concealed, played, skipped } = heard.buffer.figures;
       expect(played + skipped).toBeGreaterThan(2850);
+      expect(concealed / played).toBeLessThan(0.05);
+    }
+  });
+
+  test('and so it is for each of eight people on the same line', () => {
+    const all = listenToMany(8, { seconds: 30, jitter_ms: 50, loss: 0.02 });
+    const gaps_ms = all.map((heard) => longestGap_ms(heard, 30));
+    expect(Math.max(...gaps_ms)).toBeLessThanOrEqual(60);
+    for (const { buffer } of all) {
+      const { concealed, played, skipped } = buffer.figures;
+      expect(played + skipped).toBeGreaterThan(1425);
       expect(concealed / played).toBeLessThan(0.05);
     }
   });
