@@ -13,6 +13,7 @@
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/recording/recorder/unix_clock.h"
 #include "roomcast/recording/room/room_recording.h"
+#include "roomcast/study/comparison_pictures.h"
 #include "roomcast/study/counterbalance.h"
 #include "roomcast/study/plan.h"
 #include "roomcast/study/session_path.h"
@@ -85,7 +86,10 @@ Outcome check_plan_file(const StudyOptions& options) {
     }
     if (read.faults.empty()) print_plan(read.plan);
   }
-  if (read.faults.empty()) return Status();
+  if (read.faults.empty()) {
+    const auto pictures = study::ComparisonPictures::find(read.plan, options.plan.parent_path());
+    return {pictures ? Status() : Status(pictures.error()), options.json};
+  }
   const std::size_t count = read.faults.size();
   return {Error{ErrorCode::kMalformed,
                 fmt::format("this plan has {} mistake{}", count, count == 1 ? "" : "s")},
@@ -115,14 +119,22 @@ Outcome report_study(const StudyOptions& options) {
   if (!folder) return folder.error();
   const auto summary = study::summarise(*folder);
   if (!summary) return summary.error();
-  if (summary->measures.empty())
+  if (summary->measures.empty() && summary->comparisons.empty())
     return Error{ErrorCode::kNotFound, "nobody has gone through a condition of this study yet"};
   if (auto status = study::write_report(*summary, options.out); !status) return status.error();
   if (options.json) {
     nlohmann::json measures = nlohmann::json::array();
     for (const auto& measure : summary->measures)
       measures.push_back({{"name", measure.name}, {"values", measure.values}});
+    nlohmann::json comparisons = nlohmann::json::array();
+    for (const auto& [name, answers, correct, low, high] : summary->comparisons)
+      comparisons.push_back({{"name", name},
+                             {"answers", answers},
+                             {"correct", correct},
+                             {"low_share", low},
+                             {"high_share", high}});
     print_out("{}\n", nlohmann::json{{"study", summary->study},
+                                     {"comparisons", std::move(comparisons)},
                                      {"out", options.out.string()},
                                      {"participants", summary->participants},
                                      {"measures", std::move(measures)}}

@@ -85,6 +85,7 @@ class SessionReader {
     const double t = record.at("t").get<double>();
     if (kind == "steps") return step(record, t);
     if (kind == "answers") return answer(record);
+    if (kind == "comparisons") return compared(record);
     if (now_.empty()) return;
     Gathered& here = by_condition[now_];
     if (kind == "figures") {
@@ -95,8 +96,8 @@ class SessionReader {
     } else if (kind == "poses") {
       const std::array<double, 3> head = {record.at("x"), record.at("y"), record.at("z")};
       if (const auto& before = here.head_m)
-        here.walked_m += std::hypot(head[0] - (*before)[0], head[1] - (*before)[1],
-                                    head[2] - (*before)[2]);
+        here.walked_m +=
+            std::hypot(head[0] - (*before)[0], head[1] - (*before)[1], head[2] - (*before)[2]);
       here.head_m = head;
     } else if (kind == "speech") {
       speech(record.at("on").get<bool>(), t, here);
@@ -104,8 +105,15 @@ class SessionReader {
   }
 
   std::map<std::string, Gathered> by_condition;
+  std::map<std::string, std::pair<std::size_t, std::size_t>> comparisons;  // answers, correct ones
 
  private:
+  void compared(const Json& record) {
+    auto& [answers, correct] = comparisons[record.at("comparison").get<std::string>()];
+    ++answers;
+    correct += record.at("correct") == true;
+  }
+
   void step(const Json& record, double t) {
     if (record.at("what") == "questionnaire") {
       questionnaire_ = record.at("begins") == true ? record.at("name").get<std::string>() : "";
@@ -183,13 +191,28 @@ Summary summary_of(const std::vector<double>& values) {
   return summary;
 }
 
+ComparisonSummary comparison_summary(std::string name, std::size_t answers, std::size_t correct) {
+  ComparisonSummary summary{.name = std::move(name), .answers = answers, .correct = correct};
+  if (answers == 0) return summary;
+  const auto n = static_cast<double>(answers);
+  const double share = static_cast<double>(correct) / n, z2 = kNormal * kNormal;
+  const double centre = (share + z2 / (2 * n)) / (1 + z2 / n);
+  const double half =
+      kNormal * std::sqrt(share * (1 - share) / n + z2 / (4 * n * n)) / (1 + z2 / n);
+  summary.low_share = std::max(0.0, centre - half);
+  summary.high_share = std::min(1.0, centre + half);
+  return summary;
+}
+
 Result<ConditionSummary> summarise(const StudyFolder& study) {
   const auto plan = newest_plan(study.path());
   if (!plan) return plan.error();
   ConditionSummary summary{.study = plan->name,
                            .title = plan->title.empty() ? plan->name : plan->title,
                            .conditions = {},
-                           .measures = {}};
+                           .measures = {},
+                           .comparisons = {}};
+  std::map<std::string, std::pair<std::size_t, std::size_t>> compared;
   for (const Condition& condition : plan->conditions) summary.conditions.push_back(condition.name);
   const std::vector<Known> known = measures_of(*plan);
   for (const Known& each : known) summary.measures.push_back({each.name, each.title, each.unit});
@@ -198,7 +221,11 @@ Result<ConditionSummary> summarise(const StudyFolder& study) {
     if (!log) return log.error();
     SessionReader reader(*plan);
     for (const Json& record : log->records) reader.take(record);
-    bool is_known = false;
+    bool is_known = !reader.comparisons.empty();
+    for (const auto& [name, counts] : reader.comparisons) {
+      compared[name].first += counts.first;
+      compared[name].second += counts.second;
+    }
     for (const auto& [condition, gathered] : reader.by_condition) {
       for (std::size_t i = 0; i < known.size(); ++i) {
         const auto value = value_of(known[i], gathered);
@@ -207,6 +234,11 @@ Result<ConditionSummary> summarise(const StudyFolder& study) {
       }
     }
     summary.participants += is_known;
+  }
+  for (const Comparison& comparison : plan->comparisons) {
+    const auto [answers, correct] = compared[comparison.name];
+    if (answers > 0)
+      summary.comparisons.push_back(comparison_summary(comparison.name, answers, correct));
   }
   std::erase_if(summary.measures, [](const Measure& measure) { return measure.values.empty(); });
   return summary;

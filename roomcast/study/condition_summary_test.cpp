@@ -38,8 +38,8 @@ class ConditionSummaryTest : public StudyFixture {
             {"qx", 0},         {"qy", 0}, {"qz", 0}, {"qw", 1}};
   }
   static Json figure(double t, double latency_ms) {
-    return {{"kind", "figures"}, {"t", t},    {"fps", 30},
-            {"mbit", 2},         {"latency_ms", latency_ms}, {"clock_error_ms", 1}};
+    return {{"kind", "figures"},  {"t", t}, {"fps", 30}, {"mbit", 2}, {"latency_ms", latency_ms},
+            {"clock_error_ms", 1}};
   }
   static Json named(Json record, const char* questionnaire, const char* item) {
     record["questionnaire"] = questionnaire;
@@ -56,14 +56,14 @@ class ConditionSummaryTest : public StudyFixture {
 TEST_F(ConditionSummaryTest, gives_each_participant_a_value_in_each_condition) {
   auto study = create_from(kComparedPlan);
   (void)study.enroll(plan, "k", kNow);
-  ASSERT_TRUE(study
-                  .append("P001", 1,
-                          {step(0, 0, "one", true), pose(1, 0), pose(2, 3), figure(2, 100),
-                           figure(3, 300), figure(4, 120), speech(5, true), speech(8, false),
-                           step(60, 0, "one", false), answer(61, 6), step(70, 1, "two", true),
-                           speech(75, true), step(80, 1, "two", false), answer(81, 2),
-                           named(answer(90, 7), "end", "all")})
-                  .ok());
+  ASSERT_TRUE(
+      study
+          .append("P001", 1,
+                  {step(0, 0, "one", true), pose(1, 0), pose(2, 3), figure(2, 100), figure(3, 300),
+                   figure(4, 120), speech(5, true), speech(8, false), step(60, 0, "one", false),
+                   answer(61, 6), step(70, 1, "two", true), speech(75, true),
+                   step(80, 1, "two", false), answer(81, 2), named(answer(90, 7), "end", "all")})
+          .ok());
   const auto summary = summarise(study);
   ASSERT_TRUE(summary.ok()) << summary.error().message;
   EXPECT_EQ(summary->participants, 1u);
@@ -78,6 +78,24 @@ TEST_F(ConditionSummaryTest, gives_each_participant_a_value_in_each_condition) {
   EXPECT_EQ(find(*summary, "walked_m_min")->values.at("one").at("P001"), 3);
   EXPECT_NEAR(find(*summary, "spoken_share")->values.at("one").at("P001"), 0.05, 1e-9);
   EXPECT_NEAR(find(*summary, "spoken_share")->values.at("two").at("P001"), 0.5, 1e-9);
+}
+
+TEST_F(ConditionSummaryTest, counts_photographs_that_were_recognised) {
+  auto study = create_from(std::string(kComparedPlan) +
+                           "[[comparison]]\nname = \"c\"\nreal = \"r\"\ndrawn = \"d\"\n");
+  (void)study.enroll(plan, "k", kNow);
+  const auto chose = [](bool correct) {
+    return Json{{"kind", "comparisons"}, {"t", 1},         {"comparison", "c"},
+                {"pair", "a"},           {"left", "real"}, {"chosen", correct ? "left" : "right"},
+                {"correct", correct},    {"after_s", 1.5}};
+  };
+  ASSERT_TRUE(study.append("P001", 1, {chose(true), chose(false), chose(true)}).ok());
+  const auto summary = summarise(study);
+  ASSERT_TRUE(summary.ok());
+  ASSERT_EQ(summary->comparisons.size(), 1u);
+  EXPECT_EQ(summary->comparisons[0].answers, 3u);
+  EXPECT_EQ(summary->comparisons[0].correct, 2u);
+  EXPECT_EQ(summary->participants, 1u);
 }
 
 TEST_F(ConditionSummaryTest, of_nobody_has_no_measures) {
@@ -102,6 +120,16 @@ TEST(Summary, has_the_interval_of_student_s_t) {
   std::vector<double> many(100);
   for (std::size_t i = 0; i < many.size(); ++i) many[i] = i % 2 == 0 ? 1 : -1;
   EXPECT_NEAR(summary_of(many).half_width / (summary_of(many).deviation / 10), 1.984, 0.005);
+}
+
+TEST(Summary, of_a_comparison_has_wilson_s_interval) {
+  const ComparisonSummary none = comparison_summary("c", 0, 0);
+  EXPECT_EQ(none.low_share, 0);
+  EXPECT_EQ(none.high_share, 1);
+  const ComparisonSummary some = comparison_summary("c", 20, 12);
+  EXPECT_NEAR(some.low_share, 0.3866, 5e-4);
+  EXPECT_NEAR(some.high_share, 0.7812, 5e-4);
+  EXPECT_GT(comparison_summary("c", 10, 0).high_share, 0.2);
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ using enum FieldType;
 
 constexpr std::array kStepFields = {
     LogField{"step", kNumber, "", "number of the step in this participant's session, from 0"},
-    LogField{"what", kText, "", "condition, or questionnaire"},
-    LogField{"name", kText, "", "name of the condition or questionnaire in the plan"},
+    LogField{"what", kText, "", "condition, questionnaire, or comparison"},
+    LogField{"name", kText, "", "its name in the plan"},
     LogField{"begins", kFlag, "", "true when it begins, false when it ends"}};
 constexpr std::array kPoseFields = {
     LogField{"x", kNumber, "m", "head, world frame; y is up"},
@@ -51,6 +51,13 @@ constexpr std::array kAnswerFields = {
     LogField{"at_s", kNumber, "s",
              "time within the condition at which it was asked; 0: not within one"},
     LogField{"after_s", kNumber, "s", "from showing the questionnaire to sending it"}};
+constexpr std::array kComparisonFields = {
+    LogField{"comparison", kText, "", "name of the comparison in the plan"},
+    LogField{"pair", kText, "", "name of the two files"},
+    LogField{"left", kText, "", "which of the two was on the left: real, or drawn"},
+    LogField{"chosen", kText, "", "which one the participant chose: left, or right"},
+    LogField{"correct", kFlag, "", "true: the photograph was chosen"},
+    LogField{"after_s", kNumber, "s", "from showing the pair to choosing"}};
 constexpr std::array kPageFields = {
     LogField{
         "what", kText, "",
@@ -60,12 +67,14 @@ constexpr std::array kPageFields = {
     LogField{"note", kText, "", "details for people"}};
 
 constexpr std::array kKinds = {
-    LogKind{"steps", "begin and end of conditions and questionnaires", kStepFields},
+    LogKind{"steps", "begin and end of conditions, questionnaires and comparisons", kStepFields},
     LogKind{"poses", "where the participant's head is, ten times a second", kPoseFields},
     LogKind{"figures", "what the participant got, once a second", kFigureFields},
     LogKind{"sensors", "what the participant got of each sensor, once a second", kSensorFields},
     LogKind{"speech", "when the participant spoke; never what", kSpeechFields},
     LogKind{"answers", "answers to questionnaires", kAnswerFields},
+    LogKind{"comparisons", "which picture of a pair was taken for the photograph",
+            kComparisonFields},
     LogKind{"page", "what happened to the page", kPageFields}};
 
 Error wrong_record(std::string sentence) {

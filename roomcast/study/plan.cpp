@@ -33,6 +33,13 @@ Json questionnaire_json(const Questionnaire& questions) {
           {"at_s", questions.at_s},   {"items", std::move(items)}};
 }
 
+Json comparison_json(const Comparison& comparison) {
+  return {{"name", comparison.name},       {"title", comparison.title},
+          {"intro", comparison.intro},     {"question", comparison.question},
+          {"seconds", comparison.seconds}, {"before", comparison.before},
+          {"after", !comparison.before},   {"pairs", Json::array()}};
+}
+
 constexpr std::string_view kExample = R"([study]
 name = "delay"
 title = "Looking around in a remote room"
@@ -83,6 +90,12 @@ when = ["after-condition"]      # or "before", "after"; at_s = [60] asks within 
   text = "Is there anything you want to tell us?"
   kind = "text"
   required = false
+
+# Photographs beside drawn views of the same places: files of the same name in two folders.
+# [[comparison]]
+# name = "believable"
+# real = "photographs"
+# drawn = "drawn"
 )";
 
 }  // namespace
@@ -115,12 +128,15 @@ std::string_view name_of(QuestionItem::Kind kind) {
 }
 
 Json to_json(const StudyPlan& plan) {
-  Json conditions = Json::array(), questionnaires = Json::array();
+  Json conditions = Json::array(), questionnaires = Json::array(), comparisons = Json::array();
   for (const Condition& condition : plan.conditions)
     conditions.push_back(condition_json(condition));
   for (const Questionnaire& questions : plan.questionnaires)
     questionnaires.push_back(questionnaire_json(questions));
+  for (const Comparison& comparison : plan.comparisons)
+    comparisons.push_back(comparison_json(comparison));
   return {{"name", plan.name},
+          {"comparisons", std::move(comparisons)},
           {"title", plan.title.empty() ? plan.name : plan.title},
           {"room", plan.room},
           {"consent", plan.consent},

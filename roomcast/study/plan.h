@@ -17,6 +17,7 @@ namespace roomcast::study {
 inline constexpr std::size_t kMaxPlanBytes = 1U << 20U;
 inline constexpr std::size_t kMaxConditions = 20;
 inline constexpr std::size_t kMaxQuestionnaires = 50;
+inline constexpr std::size_t kMaxComparisons = 20;
 inline constexpr std::size_t kMaxItems = 200;  // of a questionnaire
 inline constexpr std::size_t kMaxTextBytes = 20'000;
 
@@ -62,6 +63,17 @@ struct Questionnaire {
   std::vector<QuestionItem> items = {};
 };
 
+/// Pairs of a photograph and a drawn view of the same place: files of the same name in two folders.
+struct Comparison {
+  std::string name;
+  std::string title = {};
+  std::string intro = {};
+  std::string question = "Which of the two is a photograph?";
+  std::string real = {}, drawn = {};  // folders, from that of the plan
+  double seconds = 0;                 // for which they are shown; 0: until one is chosen
+  bool before = false;                // the conditions; else after them
+};
+
 struct StudyPlan {
   std::string name;
   std::string title = {};
@@ -72,6 +84,7 @@ struct StudyPlan {
   std::size_t participants = 200;  // at most
   std::vector<Condition> conditions = {};
   std::vector<Questionnaire> questionnaires = {};
+  std::vector<Comparison> comparisons = {};
 };
 
 [[nodiscard]] std::string_view name_of(ConditionOrder order);
@@ -96,7 +109,7 @@ struct ReadPlan {
 /// kNotFound, kTooLarge; kMalformed with the first fault, as "FILE, line N: ...".
 [[nodiscard]] Result<StudyPlan> load_plan(const std::filesystem::path& file);
 
-/// As the hub gives it to pages.
+/// As the hub gives it to pages, but without the pairs of comparisons.
 [[nodiscard]] nlohmann::json to_json(const StudyPlan& plan);
 
 /// A plan that shows what can be said in one.

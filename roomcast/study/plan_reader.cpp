@@ -8,66 +8,32 @@
 #include <utility>
 
 #include <fmt/format.h>
-#define TOML_EXCEPTIONS 0
-#define TOML_HEADER_ONLY 1  // Debian's library build throws exceptions
-#include <toml++/toml.h>
 
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/study/plan.h"
+#include "roomcast/study/toml_reader.h"
 
 namespace roomcast::study {
 namespace {
 
-constexpr std::size_t kMaxNameBytes = 64;
 constexpr double kLongestCondition_s = 4 * 3600;
 constexpr double kMaxLatency_ms = 10'000;
 constexpr double kMaxFps = 240;
 constexpr int kMaxPoints = 101;
 constexpr std::size_t kMaxParticipants = 10'000;
 
-bool is_plain_name(const std::string& name) {
-  const auto is_plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_';
-  };
-  return !name.empty() && name.size() <= kMaxNameBytes && std::ranges::all_of(name, is_plain);
-}
-
-std::size_t line_of(const toml::node& node) {
-  return node.source().begin.line;
-}
-
 /// Reads a plan and collects what is wrong.
-class PlanReader {
+class PlanReader : private TomlReader {
  public:
   ReadPlan read(std::string_view text);
 
  private:
-  /// What may stand in a table; each reader reports what is wrong itself.
-  using Readers = std::map<std::string_view, std::function<void(const toml::node&)>>;
-
-  void fault(std::size_t line, std::string sentence) {
-    result_.faults.push_back({line, std::move(sentence)});
-  }
-  void read_table(const toml::table& table, const std::string& what, const Readers& readers);
-  void need(const toml::table& table, const std::string& what, const char* key);
-  void each_table(const toml::node& node, const std::string& what, std::size_t most,
-                  const std::function<void(const toml::table&)>& read);
-
-  void text(const toml::node& node, std::string& into);
-  void plain_name(const toml::node& node, std::string& into);
-  void flag(const toml::node& node, bool& into);
-  void number(const toml::node& node, double least, double most, double& into);
-  void texts(const toml::node& node, std::vector<std::string>& into);
-  template <class T>
-  void one_of(const toml::node& node, const std::vector<std::pair<std::string_view, T>>& names,
-              T& into);
-
   void read_study(const toml::table& table);
   void read_condition(const toml::table& table);
   void read_questionnaire(const toml::table& table);
   void read_when(const toml::node& node, Questionnaire& into);
   void read_item(const toml::table& table, Questionnaire& into);
+  void read_comparison(const toml::table& table);
   void check_item(const toml::table& table, const QuestionItem& item);
   void check_whole(const toml::table& root);
 
@@ -75,96 +41,12 @@ class PlanReader {
   std::set<std::string> condition_names_, questionnaire_names_;
 };
 
-void PlanReader::read_table(const toml::table& table, const std::string& what,
-                            const Readers& readers) {
-  for (const auto& [key, node] : table) {
-    const auto reader = readers.find(key.str());
-    if (reader != readers.end()) {
-      reader->second(node);
-      continue;
-    }
-    std::string known;
-    for (const auto& [name, read] : readers)
-      known += (known.empty() ? "" : ", ") + std::string(name);
-    fault(key.source().begin.line,
-          fmt::format("{} has no \"{}\"; it may have: {}", what, std::string(key.str()), known));
-  }
-}
-
-void PlanReader::need(const toml::table& table, const std::string& what, const char* key) {
-  if (!table.contains(key)) fault(line_of(table), fmt::format("{} needs \"{}\"", what, key));
-}
-
-void PlanReader::each_table(const toml::node& node, const std::string& what, std::size_t most,
-                            const std::function<void(const toml::table&)>& read) {
-  const toml::array* list = node.as_array();
-  const bool are_tables = list != nullptr && std::ranges::all_of(*list, [](const toml::node& one) {
-                            return one.is_table();
-                          });
-  if (!are_tables)
-    return fault(line_of(node),
-                 fmt::format("write each {} as [[{}]] on a line of its own", what, what));
-  if (list->size() > most)
-    return fault(line_of((*list)[most]), fmt::format("there are more than {} of {}", most, what));
-  for (const toml::node& one : *list) read(*one.as_table());
-}
-
-void PlanReader::text(const toml::node& node, std::string& into) {
-  const auto value = node.value_exact<std::string>();
-  if (!value) return fault(line_of(node), "this must be text in quotation marks");
-  if (value->size() > kMaxTextBytes)
-    return fault(line_of(node), fmt::format("this text is longer than {} bytes", kMaxTextBytes));
-  into = *value;
-}
-
-void PlanReader::plain_name(const toml::node& node, std::string& into) {
-  text(node, into);
-  if (node.is_string() && !is_plain_name(into))
-    fault(line_of(node),
-          fmt::format("\"{}\" is no name: it takes 1 to 64 letters, digits, - and _", into));
-}
-
-void PlanReader::flag(const toml::node& node, bool& into) {
-  const auto value = node.value_exact<bool>();
-  if (!value) return fault(line_of(node), "this must be true or false");
-  into = *value;
-}
-
-void PlanReader::number(const toml::node& node, double least, double most, double& into) {
-  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
-  if (!value || !(*value >= least && *value <= most))
-    return fault(line_of(node),
-                 fmt::format("this must be a number from {:g} to {:g}", least, most));
-  into = *value;
-}
-
-void PlanReader::texts(const toml::node& node, std::vector<std::string>& into) {
-  const toml::array* list = node.as_array();
-  if (list == nullptr) return fault(line_of(node), "this must be a list of texts: [\"a\", \"b\"]");
-  into.clear();
-  for (const toml::node& one : *list) text(one, into.emplace_back());
-}
-
-template <class T>
-void PlanReader::one_of(const toml::node& node,
-                        const std::vector<std::pair<std::string_view, T>>& names, T& into) {
-  const auto value = node.value_exact<std::string>();
-  std::string all;
-  for (const auto& [name, meaning] : names) {
-    if (value && *value == name) {
-      into = meaning;
-      return;
-    }
-    all += (all.empty() ? "\"" : ", \"") + std::string(name) + "\"";
-  }
-  fault(line_of(node), "this must be one of " + all);
-}
-
 ReadPlan PlanReader::read(std::string_view text) {
   const toml::parse_result parsed = toml::parse(text);
   if (!parsed) {
     const toml::parse_error& error = parsed.error();
     fault(error.source().begin.line, "this is not TOML: " + std::string(error.description()));
+    result_.faults = take_faults();
     return std::move(result_);
   }
   const toml::table& root = parsed.table();
@@ -179,12 +61,17 @@ ReadPlan PlanReader::read(std::string_view text) {
                  each_table(node, "condition", kMaxConditions,
                             [this](const toml::table& one) { read_condition(one); });
                }},
+              {"comparison",
+               [this](const toml::node& node) {
+                 each_table(node, "comparison", kMaxComparisons,
+                            [this](const toml::table& one) { read_comparison(one); });
+               }},
               {"questionnaire", [this](const toml::node& node) {
                  each_table(node, "questionnaire", kMaxQuestionnaires,
                             [this](const toml::table& one) { read_questionnaire(one); });
                }}});
   check_whole(root);
-  std::ranges::stable_sort(result_.faults, {}, &PlanFault::line);
+  result_.faults = take_faults();
   return std::move(result_);
 }
 
@@ -286,6 +173,29 @@ void PlanReader::read_questionnaire(const toml::table& table) {
     fault(line_of(table), "a questionnaire needs \"when\" or \"at_s\", else it is never shown");
   if (!questions.name.empty() && !questionnaire_names_.insert(questions.name).second)
     fault(line_of(table), fmt::format("there are two questionnaires named \"{}\"", questions.name));
+}
+
+void PlanReader::read_comparison(const toml::table& table) {
+  Comparison& comparison = result_.plan.comparisons.emplace_back();
+  const auto into = [this](std::string& field) {
+    return [this, &field](const toml::node& node) { text(node, field); };
+  };
+  read_table(table, "a comparison",
+             {{"name", [&](const toml::node& node) { plain_name(node, comparison.name); }},
+              {"title", into(comparison.title)},
+              {"intro", into(comparison.intro)},
+              {"question", into(comparison.question)},
+              {"real", into(comparison.real)},
+              {"drawn", into(comparison.drawn)},
+              {"seconds", [&](const toml::node& node) { number(node, 0, 60, comparison.seconds); }},
+              {"when", [&](const toml::node& node) {
+                 one_of<bool>(node, {{"before", true}, {"after", false}}, comparison.before);
+               }}});
+  for (const char* key : {"name", "real", "drawn"}) need(table, "a comparison", key);
+  const auto same =
+      std::ranges::count(result_.plan.comparisons, comparison.name, &Comparison::name);
+  if (!comparison.name.empty() && same > 1)
+    fault(line_of(table), fmt::format("there are two comparisons named \"{}\"", comparison.name));
 }
 
 void PlanReader::read_item(const toml::table& table, Questionnaire& into) {

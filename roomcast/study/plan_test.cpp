@@ -138,5 +138,26 @@ TEST(StudyPlan, a_file_with_a_mistake_is_refused_by_name_and_line) {
   EXPECT_EQ(load_plan(folder / "none.toml").error().code, ErrorCode::kNotFound);
 }
 
+TEST(Plan, has_comparisons_of_pictures) {
+  const std::string head =
+      "[study]\nname = \"s\"\nconsent = \"c\"\n[[condition]]\nname = \"one\"\n";
+  const auto read = read_plan(head + R"([[comparison]]
+name = "c"
+real = "photographs"
+drawn = "drawn"
+when = "before"
+seconds = 3
+)");
+  ASSERT_TRUE(read.faults.empty()) << read.faults.front().sentence;
+  const Comparison& comparison = read.plan.comparisons.at(0);
+  EXPECT_EQ(comparison.real, "photographs");
+  EXPECT_TRUE(comparison.before);
+  EXPECT_EQ(to_json(read.plan)["comparisons"][0]["question"], "Which of the two is a photograph?");
+  const auto wrong = read_plan(head + "[[comparison]]\nname = \"c\"\nreal = \"r\"\nwhen = 3\n");
+  ASSERT_EQ(wrong.faults.size(), 2u);
+  EXPECT_EQ(wrong.faults[0].line, 6u);
+  EXPECT_EQ(wrong.faults[1].line, 9u);
+}
+
 }  // namespace
 }  // namespace roomcast::study

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kAhead_m = 2;         // from the eye to the point looked at
+constexpr double kAhead_m = 2;        // from the eye to the point looked at
 constexpr double kMinSeen_s = 1;      // of a condition
 constexpr double kMinStep_s = 0.001;  // between two keys
 
@@ -103,9 +103,8 @@ Result<std::vector<SeenCondition>> seen_conditions(const StudyFolder& study,
 std::string path_json(const std::vector<PathKey>& keys) {
   Json list = Json::array();
   for (const auto& [time_s, at, look] : keys)
-    list.push_back({{"time_s", time_s},
-                    {"at", {at[0], at[1], at[2]}},
-                    {"look", {look[0], look[1], look[2]}}});
+    list.push_back(
+        {{"time_s", time_s}, {"at", {at[0], at[1], at[2]}}, {"look", {look[0], look[1], look[2]}}});
   return Json{{"keys", std::move(list)}}.dump() + "\n";
 }
 

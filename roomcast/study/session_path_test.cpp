@@ -27,9 +27,15 @@ mode = "points"
 class SessionPathTest : public StudyFixture {
  protected:
   static nlohmann::json pose(double t, double x, double yaw_rad) {
-    return {{"kind", "poses"}, {"t", t},  {"x", x},
-            {"y", 1.6},        {"z", 2},  {"qx", 0},
-            {"qy", std::sin(yaw_rad / 2)}, {"qz", 0}, {"qw", std::cos(yaw_rad / 2)}};
+    return {{"kind", "poses"},
+            {"t", t},
+            {"x", x},
+            {"y", 1.6},
+            {"z", 2},
+            {"qx", 0},
+            {"qy", std::sin(yaw_rad / 2)},
+            {"qz", 0},
+            {"qw", std::cos(yaw_rad / 2)}};
   }
   StudyFolder went_through() {
     auto study = create_from(kSeenPlan);
@@ -82,7 +88,8 @@ TEST_F(SessionPathTest, leaves_out_what_was_not_recorded) {
 }
 
 TEST_F(SessionPathTest, is_a_path_for_films) {
-  const auto json = nlohmann::json::parse(path_json({{.time_s = 1, .at_m = {1, 2, 3}, .look_m = {4, 5, 6}}}));
+  const auto json =
+      nlohmann::json::parse(path_json({{.time_s = 1, .at_m = {1, 2, 3}, .look_m = {4, 5, 6}}}));
   EXPECT_EQ(json["keys"][0]["at"][1], 2);
   EXPECT_EQ(json["keys"][0]["look"][2], 6);
 }

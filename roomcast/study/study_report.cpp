@@ -104,9 +104,8 @@ std::string ticks_svg(const Axis& axis, double bottom, const std::string& unit) 
 
 std::string row_svg(const std::vector<double>& values, const std::string& name, double y,
                     const Axis& axis) {
-  std::string svg = fmt::format(
-      R"(<text x="{:.0f}" y="{:.1f}" text-anchor="end">{}</text>)", kNames - 14, y + 5,
-      escaped(name));
+  std::string svg = fmt::format(R"(<text x="{:.0f}" y="{:.1f}" text-anchor="end">{}</text>)",
+                                kNames - 14, y + 5, escaped(name));
   if (values.empty()) return svg;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double aside = (static_cast<double>(i * 7 % 5) - 2) * 3;  // so that equal ones are seen
@@ -157,6 +156,20 @@ std::string table_html(const Measure& measure, const std::vector<std::string>& c
   return html + "</table>\n";
 }
 
+std::string comparisons_html(const std::vector<ComparisonSummary>& comparisons) {
+  if (comparisons.empty()) return "";
+  std::string html =
+      "<h2>Paired comparisons</h2>\n<p>How often the photograph was chosen. Half of the time: the "
+      "pictures cannot be told apart.</p>\n<table><thead><tr><th>comparison<th>answers<th>"
+      "photograph chosen<th>share<th>95 % interval (Wilson)</thead>\n";
+  for (const auto& [name, answers, correct, low, high] : comparisons)
+    html += fmt::format("<tr><th>{}<td>{}<td>{}<td>{:.0f} %<td>{:.0f} to {:.0f} %\n", escaped(name),
+                        answers, correct,
+                        100.0 * static_cast<double>(correct) / static_cast<double>(answers),
+                        100 * low, 100 * high);
+  return html + "</table>\n";
+}
+
 std::string report_html(const ConditionSummary& summary) {
   const std::string people =
       fmt::format("{} participant{}", summary.participants, summary.participants == 1 ? "" : "s");
@@ -165,10 +178,10 @@ std::string report_html(const ConditionSummary& summary) {
     html += fmt::format("<h2>{}{}</h2>\n<p>{}</p>\n", escaped(measure.title),
                         measure.unit.empty() ? "" : ", " + escaped(measure.unit),
                         escaped(measure.name));
-    html += figure_svg(measure, summary.conditions) + "\n" +
-            table_html(measure, summary.conditions);
+    html +=
+        figure_svg(measure, summary.conditions) + "\n" + table_html(measure, summary.conditions);
   }
-  return html + "</html>\n";
+  return html + comparisons_html(summary.comparisons) + "</html>\n";
 }
 
 std::string summary_csv(const ConditionSummary& summary) {
@@ -176,10 +189,9 @@ std::string summary_csv(const ConditionSummary& summary) {
   for (const Measure& measure : summary.measures) {
     for (const std::string& condition : summary.conditions) {
       const Summary s = summary_of(values_of(measure, condition));
-      csv += fmt::format("{},{},{},{},{:.10g},{:.10g},{:.10g},{:.10g}\r\n",
-                         csv_field(measure.name), csv_field(measure.unit), csv_field(condition),
-                         s.count, s.mean, s.deviation, s.mean - s.half_width,
-                         s.mean + s.half_width);
+      csv += fmt::format("{},{},{},{},{:.10g},{:.10g},{:.10g},{:.10g}\r\n", csv_field(measure.name),
+                         csv_field(measure.unit), csv_field(condition), s.count, s.mean,
+                         s.deviation, s.mean - s.half_width, s.mean + s.half_width);
     }
   }
   return csv;

@@ -40,7 +40,8 @@ TEST(StudyReport, draws_a_dot_for_each_participant_and_a_row_for_each_condition)
 }
 
 TEST(StudyReport, draws_equal_values_too) {
-  const Measure same{.name = "fps", .title = "f", .unit = "1/s", .values = {{"one", {{"P001", 5}}}}};
+  const Measure same{
+      .name = "fps", .title = "f", .unit = "1/s", .values = {{"one", {{"P001", 5}}}}};
   const std::string svg = figure_svg(same, {"one"});
   EXPECT_THAT(svg, HasSubstr("1/s"));
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
@@ -52,16 +53,17 @@ TEST(StudyReport, writes_page_figures_and_numbers) {
                                  .title = "A & B",
                                  .conditions = {"one", "two"},
                                  .measures = {kScale},
+                                 .comparisons = {{"c", 4, 3, 0.3, 0.95}},
                                  .participants = 2};
   ASSERT_TRUE(write_report(summary, folder / "out").ok());
   const std::string page = content(folder / "out" / "report.html");
   EXPECT_THAT(page, HasSubstr("<h1>A &amp; B</h1>"));
   EXPECT_THAT(page, HasSubstr("2 participants"));
   EXPECT_THAT(page, HasSubstr("<tr><th>one<td>2<td>3<td>1.414<td>"));
+  EXPECT_THAT(page, HasSubstr("<tr><th>c<td>4<td>3<td>75 %<td>30 to 95 %"));
   EXPECT_THAT(page, Not(HasSubstr("<b>real")));
   EXPECT_THAT(content(folder / "out" / "q.i.svg"), HasSubstr("<svg"));
-  EXPECT_THAT(content(folder / "out" / "summary.csv"),
-              HasSubstr("q.i,,two,1,6,0,6,6\r\n"));
+  EXPECT_THAT(content(folder / "out" / "summary.csv"), HasSubstr("q.i,,two,1,6,0,6,6\r\n"));
   EXPECT_EQ(write_report(summary, folder / "out").error().code, ErrorCode::kUnavailable);
 }
 

@@ -2,7 +2,7 @@
 // A study with real people’s steps: a participant agrees, goes through two conditions with questionnaires, and what is
 // exported is what was done and measured. Then what can go wrong: a reload, a hub that goes away, erasure, and who declines.
 import assert from 'node:assert/strict';
-import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
@@ -49,6 +49,11 @@ when = ["after-condition"]
   kind = "text"
   required = false
 
+[[comparison]]
+name = "believable"
+real = "photographs"
+drawn = "drawn"
+
 [[questionnaire]]
 name = "sick"
 at_s = [3]
@@ -62,6 +67,17 @@ const folder = mkdtempSync(join(tmpdir(), 'roomcast-study-'));
 const planFile = join(folder, 'plan.toml');
 const sessions = join(folder, 'sessions');
 let hub, sensors, browser;
+
+/** A PNG of one colour, 2x2: what is on it does not matter here. */
+const png = (color) => Buffer.from({ red: 'iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAIAAAD91JpzAAAAEElEQVR4nGP4z8AARAwQCgAf7gP9i18U1AAAAABJRU5ErkJggg==', blue: 'iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAIAAAD91JpzAAAAD0lEQVR4nGNgYPgPRmAKABf2A/1+6zfzAAAAAElFTkSuQmCC' }[color], 'base64');
+
+/** Red is the photograph: chooses by what is on the canvases, as a person does. */
+async function chooseRed(page) {
+  const sides = page.locator('.comparing button');
+  await sides.first().waitFor();
+  const isRed = await sides.locator('canvas').evaluateAll((canvases) => canvases.map((canvas) => canvas.getContext('2d').getImageData(0, 0, 1, 1).data[0] > 128));
+  await sides.nth(isRed.indexOf(true)).click();
+}
 
 const start = (port = 0) => startHub(port, { data: join(folder, 'data'), more: ['--study', planFile, '--study-folder', sessions, '--record'] });
 const open = (context = browser.context, more = '') => openPage(context, `${hub.page}?study=1&at=0.2,1.7,2.6&look=0,0.9,-1${more}`);
@@ -106,6 +122,10 @@ async function answerPresence(page, there, found, remarks = '') {
 before(async () => {
   requireBuilt();
   writeFileSync(planFile, plan);
+  for (const [kind, color] of [['photographs', 'red'], ['drawn', 'blue']]) {
+    mkdirSync(join(folder, kind));
+    for (const name of ['desk', 'door']) writeFileSync(join(folder, kind, `${name}.png`), png(color));
+  }
   hub = await start();
   sensors = [0, 1].map((n) => startSensor(hub, n, { fps: 5 }));
   browser = await startBrowser({ width: 1000, height: 640 });
@@ -156,6 +176,12 @@ describe('a participant', () => {
     assert.equal(await page.evaluate(() => window.roomcast.state().mode), 'points');
     await answerSick(page, 2.5);
     await answerPresence(page, 3, 'no');
+    await page.getByText('Which of the two is a photograph?').waitFor();
+    await page.getByText('Pair 1 of 2').waitFor();
+    assert.deepEqual(await seriousFindings(page), []);
+    await chooseRed(page);
+    await page.getByText('Pair 2 of 2').waitFor();
+    await chooseRed(page);
     await heading(page, 'You are done');
     await page.getByText('Thank you, we are done.').waitFor();
     await page.getByText('All is sent.').waitFor();
@@ -164,7 +190,7 @@ describe('a participant', () => {
 
   test('is exported as it was', slow, async (t) => {
     csv = await exported('csv');
-    assert.deepEqual(read(csv, 'participants').map(({ participant: id, order, steps }) => [id, order, steps]), [['P001', 'live late', '4']]);
+    assert.deepEqual(read(csv, 'participants').map(({ participant: id, order, steps }) => [id, order, steps]), [['P001', 'live late', '5']]);
     const answers = read(csv, 'answers').map(({ condition, questionnaire, item, value, at_s }) => [condition, questionnaire, item, value, at_s]);
     assert.deepEqual(answers, [
       ['live', 'sick', 'now', '0', '3'],
@@ -177,7 +203,10 @@ describe('a participant', () => {
       ['', 'presence', 'remarks', '', '0'],
     ]);
     const steps = read(csv, 'steps').map(({ step, name, begins }) => [step, name, begins]);
-    const expected = ['live', 'presence', 'late', 'presence'].flatMap((name, step) => [[`${step}`, name, 'true'], [`${step}`, name, 'false']]);
+    const compared = read(csv, 'comparisons');
+    assert.deepEqual(compared.map(({ pair }) => pair).sort(), ['desk', 'door']);
+    assert.ok(compared.every(({ left, chosen, correct }) => correct === 'true' && (left === 'real') === (chosen === 'left')), JSON.stringify(compared));
+    const expected = ['live', 'presence', 'late', 'presence', 'believable'].flatMap((name, step) => [[`${step}`, name, 'true'], [`${step}`, name, 'false']]);
     assert.deepEqual(steps, expected);
     for (const name of ['live', 'late']) {
       const poses = read(csv, 'poses').filter(({ condition }) => condition === name);
@@ -200,7 +229,7 @@ describe('a participant', () => {
     assert.deepEqual(means.filter(([measure]) => measure === 'presence.there'), [['presence.there', 'live', 6], ['presence.there', 'late', 3]]);
     const latency = Object.fromEntries(means.filter(([measure]) => measure === 'latency_ms').map(([, name, mean]) => [name, mean]));
     assert.deepEqual(latency, { live: median('live'), late: median('late') });
-    assert.match(readFileSync(join(folder, 'report', 'report.html'), 'utf8'), /I had the feeling of being in that room\./);
+    assert.match(readFileSync(join(folder, 'report', 'report.html'), 'utf8'), /I had the feeling of being in that room\.[^]*believable<td>2<td>2<td>100 %/);
     const dictionary = read(csv, 'data_dictionary');
     assert.ok(dictionary.every(({ file, column }) => file && column));
   });

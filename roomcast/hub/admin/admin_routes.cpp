@@ -46,6 +46,8 @@ constexpr std::array kRoutes = {
     AdminRoute{"POST", "/study/participants", AdminCall::kEnroll, false},
     AdminRoute{"POST", "/study/participants/{participant}/resume", AdminCall::kResume, false},
     AdminRoute{"POST", "/study/participants/{participant}/log", AdminCall::kLogSession, false},
+    AdminRoute{"POST", "/study/participants/{participant}/picture", AdminCall::kStudyPicture,
+               false},
 };
 
 /// Removes "/x" from the front of "/x/y" and returns it.

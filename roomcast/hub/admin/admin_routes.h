@@ -46,6 +46,7 @@ enum class AdminCall {
   kEnroll,
   kResume,
   kLogSession,
+  kStudyPicture,
 };
 
 struct AdminRoute {

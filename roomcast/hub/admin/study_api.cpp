@@ -39,7 +39,7 @@ StudyDesk::WhenDone answering(int status, const net::Respond& respond) {
 
 bool StudyApi::has(AdminCall call) {
   return call == AdminCall::kStudy || call == AdminCall::kEnroll || call == AdminCall::kResume ||
-         call == AdminCall::kLogSession;
+         call == AdminCall::kLogSession || call == AdminCall::kStudyPicture;
 }
 
 void StudyApi::answer(const MatchedRoute& match, const std::string& body,
@@ -52,6 +52,8 @@ void StudyApi::answer(const MatchedRoute& match, const std::string& body,
       return enroll(body, respond);
     case AdminCall::kResume:
       return resume(match, body, respond);
+    case AdminCall::kStudyPicture:
+      return picture(match, body, respond);
     default:
       return log(match, body, respond);
   }
@@ -72,6 +74,29 @@ void StudyApi::resume(const MatchedRoute& match, const std::string& body,
                       const net::Respond& respond) {
   const std::string key = study_text_in(Json::parse(body, nullptr, false), "key");
   desk_->resume({match.parameters[0], key}, answering(200, respond));
+}
+
+void StudyApi::picture(const MatchedRoute& match, const std::string& body,
+                       const net::Respond& respond) {
+  const Json json = Json::parse(body, nullptr, false);
+  const std::string kind = study_text_in(json, "kind"),
+                    comparison = study_text_in(json, "comparison");
+  const bool is_whole = (kind == "real" || kind == "drawn") && !comparison.empty() &&
+                        json.contains("pair") && json["pair"].is_number_unsigned();
+  if (!is_whole) {
+    return respond(bad_study_request(
+        R"(the body must be {"key": "...", "comparison": "...", "pair": 0, "kind": "real"})"));
+  }
+  desk_->picture({match.parameters[0], study_text_in(json, "key")},
+                 {comparison, json["pair"].get<std::size_t>(), kind == "real"},
+                 [respond](Result<PictureFile> file) {
+                   if (!file) return respond(study_refusal(file.error()));
+                   net::HttpResponse response;
+                   response.content_type = file->content_type;
+                   response.body = std::make_shared<const std::string>(std::move(file->bytes));
+                   response.cache_control = "no-store";
+                   respond(std::move(response));
+                 });
 }
 
 void StudyApi::log(const MatchedRoute& match, const std::string& body,

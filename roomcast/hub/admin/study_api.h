@@ -30,6 +30,7 @@ class StudyApi {
  private:
   void enroll(const std::string& body, const net::Respond& respond);
   void resume(const MatchedRoute& match, const std::string& body, const net::Respond& respond);
+  void picture(const MatchedRoute& match, const std::string& body, const net::Respond& respond);
   void log(const MatchedRoute& match, const std::string& body, const net::Respond& respond);
 
   StudyDesk* const desk_;

@@ -25,6 +25,12 @@ class FakeDesk final : public StudyDesk {
     logged += std::to_string(batch) + records;
     done(std::string("{}"));
   }
+  void picture(StudyCaller caller, StudyPicture wanted,
+               std::function<void(Result<PictureFile>)> done) override {
+    if (caller.key != "k") return done(Error{ErrorCode::kNotFound, "no such participant"});
+    done(PictureFile{"image/png", wanted.comparison + std::to_string(wanted.pair) +
+                                      (wanted.is_real ? "real" : "drawn")});
+  }
   void settle() override {}
   bool is_full = false;
   std::string logged;
@@ -58,6 +64,24 @@ TEST_F(StudyApiTest, a_participant_agrees_and_logs_without_a_trace_of_the_addres
             200);
   EXPECT_EQ(desk.logged, "3[1,2]");
   EXPECT_TRUE(audit.empty());
+}
+
+TEST_F(StudyApiTest, gives_the_pictures_of_a_pair_to_participants_only) {
+  registry.change({.name = "lab"});
+  const auto asked_for = [&](nlohmann::json more) {
+    nlohmann::json body = {{"key", "k"}, {"comparison", "c"}, {"pair", 3}, {"kind", "real"}};
+    body.update(more);
+    return ask("POST", "/study/participants/P001/picture", "", body);
+  };
+  const Answer picture = asked_for(nlohmann::json::object());
+  EXPECT_EQ(picture.status, 200);
+  EXPECT_EQ(picture.response.content_type, "image/png");
+  EXPECT_EQ(*picture.response.body, "c3real");
+  EXPECT_EQ(*asked_for({{"kind", "drawn"}}).response.body, "c3drawn");
+  EXPECT_EQ(asked_for({{"key", "x"}}).status, 404);
+  EXPECT_EQ(asked_for({{"kind", "other"}}).status, 400);
+  EXPECT_EQ(asked_for({{"pair", -1}}).status, 400);
+  EXPECT_EQ(asked_for({{"comparison", 7}}).status, 400);
 }
 
 TEST_F(StudyApiTest, where_viewing_takes_a_token_beginning_does_too) {

@@ -45,19 +45,25 @@ Result<std::shared_ptr<HubStudy>> HubStudy::open(const std::filesystem::path& fi
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   auto plan = study::plan_of(text, file);
   if (!plan) return plan.error();
+  auto pictures = study::ComparisonPictures::find(*plan, file.parent_path());
+  if (!pictures) return pictures.error();
   const std::string digest = hex_digest(text);
   auto opened = study::StudyFolder::create(folder, *plan, text, digest);
   if (!opened) return opened.error();
-  return std::shared_ptr<HubStudy>(
-      new HubStudy(*std::move(plan), digest.substr(0, kPlanIdDigits), *std::move(opened)));
+  return std::shared_ptr<HubStudy>(new HubStudy(*std::move(plan), digest.substr(0, kPlanIdDigits),
+                                                *std::move(pictures), *std::move(opened)));
 }
 
-HubStudy::HubStudy(study::StudyPlan plan, std::string plan_id, study::StudyFolder folder)
+HubStudy::HubStudy(study::StudyPlan plan, std::string plan_id, study::ComparisonPictures pictures,
+                   study::StudyFolder folder)
     : plan_(std::move(plan)),
+      pictures_(std::move(pictures)),
       plan_id_(std::move(plan_id)),
       plan_json_([this] {
         Json json = study::to_json(plan_);
         json["id"] = plan_id_;
+        for (Json& comparison : json["comparisons"])
+          comparison["pairs"] = pictures_.pairs(comparison["name"].get<std::string>());
         return json.dump();
       }()),
       folder_(std::move(folder)),
@@ -77,6 +83,17 @@ void HubStudy::enroll(std::string plan_id, WhenDone done) {
 void HubStudy::resume(hub::StudyCaller caller, WhenDone done) {
   boost::asio::post(orders_, [this, caller = std::move(caller), done = std::move(done)] {
     done(resume_now(caller));
+  });
+}
+
+void HubStudy::picture(hub::StudyCaller caller, hub::StudyPicture wanted,
+                       std::function<void(Result<hub::PictureFile>)> done) {
+  boost::asio::post(orders_, [this, caller = std::move(caller), wanted = std::move(wanted),
+                              done = std::move(done)] {
+    if (const auto known = admitted(caller); !known) return done(known.error());
+    auto picture = pictures_.read(wanted.comparison, wanted.pair, wanted.is_real);
+    if (!picture) return done(picture.error());
+    done(hub::PictureFile{picture->content_type, std::move(picture->bytes)});
   });
 }
 

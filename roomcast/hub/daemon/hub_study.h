@@ -14,6 +14,7 @@
 
 #include "roomcast/core/result.h"
 #include "roomcast/hub/runtime/study_desk.h"
+#include "roomcast/study/comparison_pictures.h"
 #include "roomcast/study/plan.h"
 #include "roomcast/study/study_folder.h"
 
@@ -21,7 +22,8 @@ namespace roomcast::hub::daemon {
 
 class HubStudy final : public hub::StudyDesk {
  public:
-  /// Errors as study::load_plan() and study::StudyFolder::create().
+  /// Errors as study::load_plan(), study::ComparisonPictures::find() and
+  /// study::StudyFolder::create().
   static Result<std::shared_ptr<HubStudy>> open(const std::filesystem::path& plan,
                                                 const std::filesystem::path& folder);
   ~HubStudy() override;
@@ -30,18 +32,22 @@ class HubStudy final : public hub::StudyDesk {
   [[nodiscard]] std::string room() const override { return plan_.room; }
   void enroll(std::string plan_id, WhenDone done) override;
   void resume(hub::StudyCaller caller, WhenDone done) override;
+  void picture(hub::StudyCaller caller, hub::StudyPicture wanted,
+               std::function<void(Result<hub::PictureFile>)> done) override;
   void log(hub::StudyCaller caller, std::uint64_t batch, std::string records,
            WhenDone done) override;
   void settle() override;
 
  private:
-  HubStudy(study::StudyPlan plan, std::string plan_id, study::StudyFolder folder);
+  HubStudy(study::StudyPlan plan, std::string plan_id, study::ComparisonPictures pictures,
+           study::StudyFolder folder);
   // On the worker.
   Result<std::string> enroll_now(const std::string& plan_id);
   Result<std::string> resume_now(const hub::StudyCaller& caller);
   [[nodiscard]] Result<study::Participant> admitted(const hub::StudyCaller& caller) const;
 
   const study::StudyPlan plan_;
+  const study::ComparisonPictures pictures_;
   const std::string plan_id_, plan_json_;
   study::StudyFolder folder_;
   boost::asio::io_context orders_{1};

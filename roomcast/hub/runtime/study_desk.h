@@ -4,6 +4,7 @@
 // member may block. Answers come later, on any thread.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -16,6 +17,18 @@ namespace roomcast::hub {
 struct StudyCaller {
   std::string participant;
   std::string key;
+};
+
+/// One of the two pictures of a pair that a participant compares.
+struct StudyPicture {
+  std::string comparison;
+  std::size_t pair = 0;  // its number in the plan
+  bool is_real = false;  // the photograph
+};
+
+struct PictureFile {
+  std::string content_type;
+  std::string bytes;
 };
 
 class StudyDesk {
@@ -32,6 +45,9 @@ class StudyDesk {
   virtual void enroll(std::string plan_id, WhenDone done) = 0;
   /// How far a session is. kNotFound: no such participant, or another key.
   virtual void resume(StudyCaller caller, WhenDone done) = 0;
+  /// kNotFound: no such participant, or no such picture. kUnavailable: the disk.
+  virtual void picture(StudyCaller caller, StudyPicture wanted,
+                       std::function<void(Result<PictureFile>)> done) = 0;
   /// `records`: a JSON list. Errors as StudyFolder::append().
   virtual void log(StudyCaller caller, std::uint64_t batch, std::string records, WhenDone done) = 0;
 

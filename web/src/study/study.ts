@@ -2,11 +2,12 @@
 // A study in the page, for one participant: consent, then step by step conditions and questionnaires, with a log of what
 // happens. After a reload it goes on with the step that had not ended.
 import { pageTime_ms } from '../stream/protocol';
+import { Comparing, type Kind } from './comparing';
 import { Conditions } from './conditions';
 import { Observer } from './observer';
 import { SessionLog } from './session_log';
 import { StudyApi, StudyProblem, type Session } from './study_api';
-import { askedWithin, stepsOf, type Condition, type Questionnaire, type Step, type StudyPlan } from './study_plan';
+import { askedWithin, stepsOf, type Comparison, type Condition, type Questionnaire, type Step, type StudyPlan } from './study_plan';
 import { StudyScreen } from './study_screen';
 import type { StudySeat } from './study_seat';
 import { studyTexts as texts } from './study_texts';
@@ -121,10 +122,11 @@ export class Study {
   }
 
   private async take(number: number, step: Step, steps: readonly Step[]): Promise<void> {
-    const name = step.what === 'condition' ? step.condition.name : step.questionnaire.name;
+    const { name } = step.what === 'condition' ? step.condition : step.what === 'comparison' ? step.comparison : step.questionnaire;
     if (step.what === 'condition') await this.prepare(step.condition, steps);
     this.note(number, step.what, name, true);
     if (step.what === 'condition') await this.show(step.condition);
+    else if (step.what === 'comparison') await this.compare(step.comparison);
     else await this.question(step.questionnaire, 0);
     if (this.log.isLost) return;
     this.note(number, step.what, name, false);
@@ -186,6 +188,18 @@ export class Study {
     for (const { item, value } of answers) {
       this.observer.add('answers', { questionnaire: questionnaire.name, item, value, at_s, after_s });
     }
+  }
+
+  private async compare(comparison: Comparison): Promise<void> {
+    const comparing: Comparing = new Comparing(comparison, async (index: number, kind: Kind) => {
+      const { participant, key } = this.kept;
+      const picture = await this.asking(() => this.api.picture(participant, key, comparison.name, index, kind), texts.noPicture);
+      this.screen.show(comparing);
+      return picture;
+    });
+    await this.screen.compare(comparing, (verdict) => {
+      this.observer.add('comparisons', { comparison: comparison.name, ...verdict });
+    });
   }
 
   private async finish(): Promise<void> {

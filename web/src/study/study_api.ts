@@ -21,7 +21,8 @@ export class StudyProblem extends Error {
   }
 }
 
-type Fetch = (address: string, init: RequestInit) => Promise<Pick<Response, 'ok' | 'status' | 'json'>>;
+type Answered = Pick<Response, 'ok' | 'status' | 'json' | 'blob'>;
+type Fetch = (address: string, init: RequestInit) => Promise<Answered>;
 
 export class StudyApi {
   constructor(
@@ -47,16 +48,34 @@ export class StudyApi {
     await this.ask('POST', path, { key, batch, records }, isLast);
   }
 
+  /** Of the pair of this number in the plan. */
+  async picture(participant: string, key: string, comparison: string, pair: number, kind: 'real' | 'drawn'): Promise<Blob> {
+    const path = `/participants/${encodeURIComponent(participant)}/picture`;
+    const response = await this.fetch('POST', path, { key, comparison, pair, kind });
+    if (!response.ok) throw await problemOf(response);
+    return response.blob();
+  }
+
   private async ask<Answer>(method: 'GET' | 'POST', path: string, body?: object, keepalive = false): Promise<Answer> {
+    const response = await this.fetch(method, path, body, keepalive);
+    const said = response.ok ? ((await response.json().catch(() => undefined)) as Answer | undefined) : undefined;
+    if (said) return said;
+    throw await problemOf(response);
+  }
+
+  private async fetch(method: 'GET' | 'POST', path: string, body?: object, keepalive = false): Promise<Answered> {
     const token = this.token();
     const headers: Record<string, string> = body ? { 'Content-Type': 'application/json' } : {};
     if (token) headers['Authorization'] = `Bearer ${token}`;
     const init: RequestInit = { method, headers, keepalive, ...(body && { body: JSON.stringify(body) }) };
     const response = await this.fetching(`api/v1/study${path}`, init).catch(() => undefined);
     if (!response) throw new StudyProblem(texts.noHub, false);
-    const said = (await response.json().catch(() => undefined)) as (Answer & { error?: { sentence?: string } }) | undefined;
-    if (response.ok && said) return said;
-    const mayHelp = response.status === 429 || response.status >= 500;
-    throw new StudyProblem(said?.error?.sentence ?? texts.answered(response.status), !mayHelp);
+    return response;
   }
+}
+
+async function problemOf(response: Answered): Promise<StudyProblem> {
+  const said = (await response.json().catch(() => undefined)) as { error?: { sentence?: string } } | undefined;
+  const mayHelp = response.status === 429 || response.status >= 500;
+  return new StudyProblem(said?.error?.sentence ?? texts.answered(response.status), !mayHelp);
 }

@@ -23,14 +23,18 @@ const plan: StudyPlan = {
     questionnaire('presence', { after_condition: true }),
     questionnaire('sickness', { at_s: [30, 10] }),
   ],
+  comparisons: [{ name: 'real', title: '', intro: '', question: 'Which?', seconds: 0, before: false, after: true, pairs: ['a'] }],
 };
 
 const names = (order: string[]) =>
-  stepsOf(plan, order)?.map((step) => (step.what === 'condition' ? step.condition.name : `${step.questionnaire.name}?`));
+  stepsOf(plan, order)?.map((step) => {
+    if (step.what === 'condition') return step.condition.name;
+    return step.what === 'comparison' ? `${step.comparison.name}|` : `${step.questionnaire.name}?`;
+  });
 
 describe('the steps of a participant', () => {
   test('follow its own order, with questionnaires at their times', () => {
-    expect(names(['two', 'one'])).toEqual(['health?', 'two', 'presence?', 'one', 'presence?', 'health?']);
+    expect(names(['two', 'one'])).toEqual(['health?', 'two', 'presence?', 'one', 'presence?', 'real|', 'health?']);
   });
 
   test('are none where the plan has lost a condition', () => {

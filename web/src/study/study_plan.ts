@@ -34,6 +34,18 @@ export interface Questionnaire {
   items: Item[];
 }
 
+/** Pairs of a photograph and a drawn view. */
+export interface Comparison {
+  name: string;
+  title: string;
+  intro: string;
+  question: string;
+  seconds: number; // for which they are shown; 0: until one is chosen
+  before: boolean;
+  after: boolean;
+  pairs: string[];
+}
+
 export interface StudyPlan {
   id: string;
   name: string;
@@ -43,21 +55,27 @@ export interface StudyPlan {
   thanks: string;
   conditions: Condition[];
   questionnaires: Questionnaire[];
+  comparisons: Comparison[];
 }
 
-export type Step = { what: 'condition'; condition: Condition } | { what: 'questionnaire'; questionnaire: Questionnaire };
+export type Step =
+  | { what: 'condition'; condition: Condition }
+  | { what: 'questionnaire'; questionnaire: Questionnaire }
+  | { what: 'comparison'; comparison: Comparison };
 
 /** Undefined: the plan has been changed, and a condition of this order is not there any more. */
 export function stepsOf(plan: StudyPlan, order: readonly string[]): Step[] | undefined {
   const asked = (at: 'before' | 'after_condition' | 'after'): Step[] =>
     plan.questionnaires.filter((questionnaire) => questionnaire[at]).map((questionnaire) => ({ what: 'questionnaire', questionnaire }));
-  const steps = asked('before');
+  const compared = (at: 'before' | 'after'): Step[] =>
+    plan.comparisons.filter((comparison) => comparison[at]).map((comparison) => ({ what: 'comparison', comparison }));
+  const steps = [...asked('before'), ...compared('before')];
   for (const name of order) {
     const condition = plan.conditions.find((one) => one.name === name);
     if (!condition) return undefined;
     steps.push({ what: 'condition', condition }, ...asked('after_condition'));
   }
-  return [...steps, ...asked('after')];
+  return [...steps, ...compared('after'), ...asked('after')];
 }
 
 /** Questionnaires within a condition, in order of time. */

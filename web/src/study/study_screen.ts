@@ -3,6 +3,7 @@
 import './study.css';
 import { element, setText } from '../panel/element';
 import { duration } from '../panel/format';
+import type { Comparing, Verdict } from './comparing';
 import { Questions, type Answer } from './questions';
 import type { Questionnaire } from './study_plan';
 import { studyTexts as texts } from './study_texts';
@@ -54,6 +55,17 @@ export class StudyScreen {
       });
       this.open(questions.root);
     });
+  }
+
+  async compare(comparing: Comparing, decided: (verdict: Verdict) => void): Promise<void> {
+    this.show(comparing);
+    await comparing.run(decided);
+    this.close();
+  }
+
+  /** Again, where something had to be said in between. */
+  show({ root }: Comparing): void {
+    if (!this.sheet.open || !this.sheet.contains(root)) this.open(root);
   }
 
   /** While a condition runs. `stopped` is called when the participant has had enough. */
