@@ -330,7 +330,8 @@ typedef struct roomcast_voice {
 
 /* The next packet of somebody's voice, for a viewer that joined with `hears`. Packets come as the
  * network delivers them, those of each speaker in their order: a program that plays them keeps some
- * 60 ms in stock. A second of what is not fetched is kept. 0: none came within `timeout_ms`. */
+ * 60 ms in stock. A second of what is not fetched is kept. 0: none came within `timeout_ms`, or
+ * the connection has ended for good. */
 ROOMCAST_API int roomcast_next_voice(roomcast_viewer* viewer, int timeout_ms,
                                      roomcast_voice* voice);
 /* 1: the room's owner lets this viewer speak. 0: not; `error` says why. */

@@ -59,7 +59,11 @@ namespace Roomcast.Unity
             var voice = new Voice();
             while (!membership.ended)
             {
-                if (!room.NextVoice(voice, 50)) continue;
+                if (!room.NextVoice(voice, 50))
+                {
+                    if (room.Problem != null) Thread.Sleep(50); // one that has ended for good returns at once
+                    continue;
+                }
                 HeardSound sound;
                 lock (sounds)
                 {

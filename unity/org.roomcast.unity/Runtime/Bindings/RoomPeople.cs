@@ -45,7 +45,8 @@ namespace Roomcast
         /// Why this viewer may not speak; null if it may.
         public string WhyNotSpeak { get { return Ask(Native.roomcast_may_speak); } }
 
-        /// Fills `voice` with the next packet of somebody's voice, of a room joined with Hears. False: none came in time.
+        /// Fills `voice` with the next packet of somebody's voice, of a room joined with Hears. False: none came in time, or
+        /// the connection has ended for good.
         public bool NextVoice(Voice voice, int timeoutMs)
         {
             using (var pinned = new Pinned())
