@@ -56,6 +56,9 @@ TEST(CApi, a_pose_that_is_no_rigid_motion_is_refused_before_anything_is_sent) {
 TEST(CApi, closing_null_does_nothing) {
   roomcast_disconnect(nullptr);
   roomcast_free_frames(nullptr);
+  roomcast_free_people(nullptr);
+  roomcast_stop_publishing(nullptr);
+  roomcast_close(nullptr);
 }
 
 TEST(CApi, reports_its_version) {
