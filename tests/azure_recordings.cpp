@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: writes the sensors of a rig by `roomcast simulate --camera azure` as k4arecorder writes
-// recordings (NFOV_UNBINNED, MJPG_1080P): azure_recordings RIG FOLDER -> FOLDER/s0.mkv, s1.mkv, ...
+// For tests: writes the sensors of a rig by `roomcast simulate --camera azure` as k4arecorder
+// writes recordings (NFOV_UNBINNED, MJPG_1080P): azure_recordings RIG FOLDER -> FOLDER/s0.mkv,
+// s1.mkv, ...
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

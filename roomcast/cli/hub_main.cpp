@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program of the package roomcast-hub: what a hub's computer needs, without window, graphics and
-// cameras. Named `roomcast`, too, so that all guides hold for it.
+// The program of the package roomcast-hub: what a hub's computer needs, without window, graphics
+// and cameras. Named `roomcast`, too, so that all guides hold for it.
 #include "roomcast/cli/program.h"
 #include "roomcast/cli/version.h"
 

@@ -45,8 +45,7 @@ std::string content_type_of(const std::string& bytes) {
 
 }  // namespace
 
-Result<ComparisonPictures> ComparisonPictures::find(const StudyPlan& plan,
-                                                    const fs::path& folder) {
+Result<ComparisonPictures> ComparisonPictures::find(const StudyPlan& plan, const fs::path& folder) {
   ComparisonPictures pictures;
   for (const Comparison& comparison : plan.comparisons) {
     const auto real = pictures_in(folder / comparison.real);
@@ -64,8 +63,9 @@ Result<ComparisonPictures> ComparisonPictures::find(const StudyPlan& plan,
                                "has the name of one of \"{}\"",
                                comparison.name, comparison.real, comparison.drawn)};
     if (pairs.size() > kMaxPairs)
-      return Error{ErrorCode::kTooLarge, fmt::format("the comparison \"{}\" has {} pairs; {} may be",
-                                                     comparison.name, pairs.size(), kMaxPairs)};
+      return Error{ErrorCode::kTooLarge,
+                   fmt::format("the comparison \"{}\" has {} pairs; {} may be", comparison.name,
+                               pairs.size(), kMaxPairs)};
   }
   return pictures;
 }
@@ -78,8 +78,7 @@ std::vector<std::string> ComparisonPictures::pairs(const std::string& comparison
 }
 
 Result<ComparisonPictures::Picture> ComparisonPictures::read(const std::string& comparison,
-                                                             std::size_t pair,
-                                                             bool is_real) const {
+                                                             std::size_t pair, bool is_real) const {
   const auto found = pairs_.find(comparison);
   if (found == pairs_.end() || pair >= found->second.size())
     return Error{ErrorCode::kNotFound, "this study has no such pair of pictures"};

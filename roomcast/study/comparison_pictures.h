@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// ComparisonPictures: the pictures of a study's paired comparisons: for each comparison two folders,
-// in which files of the same name, PNG or JPEG, are a pair. Found once; read when they are shown.
-// Threading: immutable.
+// ComparisonPictures: the pictures of a study's paired comparisons: for each comparison two
+// folders, in which files of the same name, PNG or JPEG, are a pair. Found once; read when they are
+// shown. Threading: immutable.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// TomlReader: reads values of a TOML file and collects what is wrong with them, each with its line, so
-// that a person is told everything at once. Single-threaded. Include it in .cpp files only: it brings
-// all of toml++.
+// TomlReader: reads values of a TOML file and collects what is wrong with them, each with its line,
+// so that a person is told everything at once. Single-threaded. Include it in .cpp files only: it
+// brings all of toml++.
 #pragma once
 
 #include <algorithm>
