@@ -131,7 +131,7 @@ describe('a recording in the page', () => {
     await button(page, 'Pause').click();
   });
 
-  test('has pictures along its timeline; a click on one goes there', slow, async () => {
+  test('has pictures along its timeline; a click on one goes there', slow, async (t) => {
     const strip = page.locator('#playback .pictures');
     const painted = () => strip.locator('canvas').evaluateAll((canvases) => canvases.map((canvas) => {
       const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
@@ -139,6 +139,10 @@ describe('a recording in the page', () => {
     }));
     const all = await until('they are there', painted, (done) => done.length > 0 && done.every(Boolean));
     assert.ok(all.length >= 4 && all.length <= 16, `${all.length}`);
+    const loads = await page.evaluate(() => performance.getEntriesByType('resource').filter(({ name }) => /key-frames/.test(name)).map(({ transferSize, duration }) => [transferSize, duration]));
+    const [bytes, took_ms] = [0, 1].map((which) => loads.reduce((sum, each) => sum + each[which], 0));
+    t.diagnostic(`${all.length} pictures: ${(bytes / 1000).toFixed(0)} kB, fetched in ${took_ms.toFixed(0)} ms in all`);
+    assert.ok(bytes < 6.5e6, `${bytes} bytes`);
     const box = await strip.boundingBox();
     await page.mouse.click(box.x + 0.25 * box.width, box.y + box.height / 2);
     await until('it is there', () => figures(page), ({ position_s, exactPicture_ms }) =>
