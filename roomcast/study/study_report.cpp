@@ -79,7 +79,7 @@ Axis axis_of(const Measure& measure, const std::vector<std::string>& conditions)
   }
   if (!(most >= least)) return {};
   if (most - least < 1e-9) {
-    least -= 0.5;
+    if (least != 0) least -= 0.5;
     most += 0.5;
   }
   const double step = tick_step(most - least);

@@ -44,6 +44,9 @@ TEST(StudyReport, draws_equal_values_too) {
       .name = "fps", .title = "f", .unit = "1/s", .values = {{"one", {{"P001", 5}}}}};
   const std::string svg = figure_svg(same, {"one"});
   EXPECT_THAT(svg, HasSubstr("1/s"));
+  Measure none = same;
+  none.values["one"]["P001"] = 0;
+  EXPECT_THAT(figure_svg(none, {"one"}), Not(HasSubstr(">-")));  // no way is shorter than none
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
 }
 

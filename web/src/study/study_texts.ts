@@ -27,7 +27,7 @@ export const studyTexts = {
   comparing: 'Two pictures',
   noPicture: (reason: string) => `A picture cannot be shown. ${reason}`,
   pairOf: (number: number, of: number) => `Pair ${number} of ${of}`,
-  sides: { left: 'The left one', right: 'The right one' },
+  sides: { left: 'Picture A', right: 'Picture B' }, // below each other on phones
   next: 'Continue',
   thanksTitle: 'You are done',
   thanks: 'Thank you for taking part.',
