@@ -5,7 +5,11 @@
 
 #include <SDL2/SDL.h>
 #include <backends/imgui_impl_opengl3.h>
+#if __has_include(<backends/imgui_impl_sdl2.h>)  // its name since Dear ImGui 1.89
+#include <backends/imgui_impl_sdl2.h>
+#else
 #include <backends/imgui_impl_sdl.h>
+#endif
 #include <imgui.h>
 
 #include "roomcast/viewer/text/font_file.h"
