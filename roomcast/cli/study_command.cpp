@@ -146,13 +146,23 @@ Outcome report_study(const StudyOptions& options) {
   return Status();
 }
 
+/// One word for a shell, whatever is in it.
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
 /// The command that films a condition.
 std::string film_command(const StudyOptions& options, const study::SeenCondition& seen) {
   const std::string base = (options.out / seen.name).string();
   return fmt::format(
-      "roomcast export {} --format video --out {} --path {}.json --from {:.3f} --to {:.3f}{}",
-      options.recording.string(), base, base, seen.from_s, seen.to_s,
-      seen.mode.empty() ? "" : " --mode " + seen.mode);
+      "roomcast export {} --format video --out {} --path {} --from {:.3f} --to {:.3f}{}",
+      shell_word(options.recording.string()), shell_word(base), shell_word(base + ".json"),
+      seen.from_s, seen.to_s, seen.mode.empty() ? "" : " --mode " + seen.mode);
 }
 
 Outcome replay_session(const StudyOptions& options) {

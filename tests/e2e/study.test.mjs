@@ -239,12 +239,12 @@ describe('what a participant saw', () => {
   test('is found in a recording of the room', slow, async () => {
     const [file] = readdirSync(join(folder, 'data', 'recordings'));
     const recording = join(folder, 'data', 'recordings', file);
-    const lines = await run('study', 'replay', sessions, 'P001', '--recording', recording, '--out', join(folder, 'seen'), '--json');
+    const lines = await run('study', 'replay', sessions, 'P001', '--recording', recording, '--out', join(folder, 'seen by P001'), '--json');
     const { conditions } = JSON.parse(lines.join('\n'));
     assert.deepEqual(conditions.map(({ condition }) => condition), ['live', 'late']);
     const [live, late] = conditions;
     assert.ok(late.to_s - late.from_s > 5.5 && late.from_s > live.to_s - 1.5, lines.join());
-    assert.match(late.command, /export .*--format video .*late\.json --from [\d.]+ --to [\d.]+ --mode points$/);
+    assert.match(late.command, /export .*--format video --out '.*seen by P001\/late' --path '.*late\.json' --from [\d.]+ --to [\d.]+ --mode points$/);
     const { keys } = JSON.parse(readFileSync(live.path, 'utf8'));
     assert.deepEqual(keys.at(-1).at, [0.5, 1.6, 0.5]);
   });
