@@ -18,7 +18,8 @@ constexpr int kCorners = 3;                  // of 4
 
 /// Readings of one surface differ by less than this: a bound on depth noise, mm.
 int same_surface_mm(int depth_mm) {
-  return 8 + depth_mm * depth_mm / (1 << 19);
+  const auto depth = static_cast<unsigned>(depth_mm);  // its square fits: up to 65535
+  return 8 + static_cast<int>(depth * depth / (1U << 19U));
 }
 
 /// Largest depth that counts as clearly in front of a surface at `depth_mm`.

@@ -109,6 +109,15 @@ TEST(FarthestDepth, a_farther_surface_takes_over_when_it_was_read_several_times)
   EXPECT_NEAR(after(3008, 30), 3008, 4);
 }
 
+TEST(FarthestDepth, readings_of_one_surface_agree_up_to_the_largest) {
+  FarthestDepth farthest(1, 1);
+  for (const std::uint16_t reading : {60'000, 60'100, 60'050})
+    farthest.learn(DepthImage(1, 1, reading));
+  EXPECT_EQ(farthest.depth_mm().at(0, 0), 60'050);
+  for (int i = 0; i < 80; ++i) farthest.learn(DepthImage(1, 1, 65'000));
+  EXPECT_NEAR(farthest.depth_mm().at(0, 0), 65'000, 4);
+}
+
 TEST(SparseCover, lies_between_readings_that_agree_and_not_beside_them) {
   const DepthImage wall(kWidth, kHeight, 3000);
   DepthImage depth(kWidth, kHeight);
