@@ -100,9 +100,8 @@ count_suite() {
   skipped=$((skipped + counts[2]))
 }
 
-# The last line is read by machines: "N passed, N failed, N skipped". What failed stands right before it, for readers
-# of a log of which only the end is kept.
-sum_up() {
+# What was skipped and what failed: right before the sum, for readers of a log of which only the end is kept.
+list_tests() {
   if ((${#skipped_tests[@]} > 0)); then
     printf '\nskipped:\n'
     printf '  %s\n' "${skipped_tests[@]}"
@@ -111,6 +110,11 @@ sum_up() {
     printf '\nfailed:\n'
     printf '  %s\n' "${failed_tests[@]}"
   fi
+}
+
+# The last line is read by machines: "N passed, N failed, N skipped".
+sum_up() {
+  list_tests
   printf '\n%d passed, %d failed, %d skipped\n' "$passed" "$failed" "$skipped"
   ((passed > 0 && failed == 0))
 }
