@@ -67,6 +67,8 @@ class OpenNi2 : public testing::Test {
         color.readFrame(&frame);
       }
       frame.release();
+      // OpenNI's recorder and a stream that still has pictures can wait for each other for ever.
+      depth.stop(), color.stop();
       recorder.stop();
       recorder.destroy();
       depth.destroy(), color.destroy();
