@@ -44,7 +44,8 @@ TEST(TextPicture, never_grows_beyond_its_limit) {
 }
 
 TEST(TextPicture, takes_any_bytes) {
-  EXPECT_GT(text_of(std::string("\xff\xfe\x80 \0 \n\n\xe2\x82", 12)).height(), 0);
+  using std::string_literals::operator""s;  // with the zero
+  EXPECT_GT(text_of("\xff\xfe\x80 \0 \n\n\xe2\x82"s).height(), 0);
   EXPECT_EQ(inked_pixels(text_of("")), 0);
 }
 
