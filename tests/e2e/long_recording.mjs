@@ -54,7 +54,7 @@ function shifted(records, shift_ns) {
   return { bytes, offsets, start, end };
 }
 
-/** Writes `to`: `from`, made by roomcast, repeated for so many seconds. Returns its length in seconds. */
+/** Writes `to`: `from`, made by roomcast, repeated for at least so many seconds. Returns its length in seconds. */
 export function repeatRecording(from, to, seconds) {
   const source = readFileSync(from).subarray(magic.length);
   const kept = [...recordsOf(source)];
@@ -78,8 +78,9 @@ export function repeatRecording(from, to, seconds) {
     metadata.push(record(op.metadataIndex, u64(where), u64(whole.length), content.subarray(0, 4 + content.readUInt32LE(0))));
   }
   const times = chunks.map((records) => shifted(records, 0n));
-  const period = times.at(-1).end - times[0].start + 50_000_000n;
-  const rounds = Math.ceil((seconds * 1e9) / Number(period));
+  const gap_ns = 50_000_000n; // between two rounds
+  const period = times.at(-1).end - times[0].start + gap_ns;
+  const rounds = Math.ceil((seconds * 1e9 + Number(gap_ns)) / Number(period));
   const indexes = [];
   const counts = new Map();
   let messages = 0;

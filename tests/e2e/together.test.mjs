@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two people play one recording together: each sees the other in it, and what one does with the timeline happens to both.
 import assert from 'node:assert/strict';
+import { join } from 'node:path';
 import { before, describe, test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
 import { seriousFindings } from './accessibility.mjs';
 import { openPage, startBrowser } from './browser.mjs';
+import { repeatRecording } from './long_recording.mjs';
 import { oneSensorRoom } from './one_sensor_room.mjs';
 import { distance, slow, stateOf, until, untilAllShown } from './waiting.mjs';
 
 const room = oneSensorRoom('together');
 const ask = (method, path) =>
   fetch(`${room.hub.page}api/v1/rooms/room${path}`, { method, headers: { Authorization: `Bearer ${room.token}` } });
+const played = 'long';
+const longer_s = 300; // so that it does not end while a busy machine draws
+const file = (name) => join(room.data, 'recordings', `${name}.mcap`);
 const figures = (page) => page.evaluate(() => window.roomcast.playback());
 const button = (page, text) => page.getByRole('button', { name: text, exact: true });
 const timeline = (page) => page.getByRole('slider', { name: 'Position in the recording' });
 
 async function play(context, name) {
-  const page = await openPage(context, `${room.hub.page}?panel=0&mode=points&at=0.2,1.7,2.6&look=0,0.9,-1&room=room&play=roomcast-room-0001&name=${name}#token=${room.token}`);
+  const page = await openPage(context, `${room.hub.page}?panel=0&mode=points&at=0.2,1.7,2.6&look=0,0.9,-1&room=room&play=${played}&name=${name}#token=${room.token}`);
   await untilAllShown(page, 1);
   await until('the controls are there', () => figures(page), (known) => known !== null);
   return page;
@@ -30,6 +35,7 @@ describe('two people in one recording', () => {
     await delay(6000);
     await ask('DELETE', '/recording');
     await until('it has ended', async () => (await ask('GET', '/recording')).json(), ({ state }) => state === 'off');
+    repeatRecording(file('roomcast-room-0001'), file(played), longer_s);
     other = await startBrowser({ width: 900, height: 600 });
     ada = await play(room.browser.context, 'Ada');
     bob = await play(other.context, 'Bob');
