@@ -8,6 +8,7 @@
 #include "bench/model/mesh_depth.h"
 #include "bench/render/drawing_cost.h"
 #include "roomcast/io/image_file.h"
+#include "roomcast/io/new_folder.h"
 #include "roomcast/model/volume_mesh.h"
 #include "roomcast/recording/export/set_writer.h"
 #include "roomcast/recording/mesh/draco_mesh.h"
@@ -78,8 +79,7 @@ Result<ModelRow> add_scores(const fs::path& rig, const model::RoomMesh& mesh,
                             ModelRow row) {
   std::string pictures;
   if (options.pictures) {
-    if (auto status = recording::make_export_folder(*options.pictures); !status)
-      return status.error();
+    if (auto status = io::make_folder(*options.pictures); !status) return status.error();
     pictures = (*options.pictures / row.rig).string();
   }
   const auto sensors = score(mesh, truths, pictures.empty() ? "" : pictures + "-s");

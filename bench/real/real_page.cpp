@@ -9,6 +9,7 @@
 #include "bench/real/real_bench.h"
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/io/image_file.h"
+#include "roomcast/io/new_folder.h"
 
 namespace roomcast::bench {
 namespace {
@@ -75,12 +76,7 @@ Status write_figures(const RealReport& report, std::size_t rig, const std::files
 }  // namespace
 
 Status write_page(const std::vector<RealReport>& reports, const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    return Error{ErrorCode::kUnavailable,
-                 "cannot make the folder " + folder.string() + ": " + error.message()};
-  }
+  if (auto status = io::make_folder(folder); !status) return status;
   std::string html = kHead;
   for (std::size_t rig = 0; rig < reports.size(); ++rig) {
     const RealReport& report = reports[rig];

@@ -11,6 +11,7 @@
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/print.h"
 #include "roomcast/io/file_bytes.h"
+#include "roomcast/io/new_folder.h"
 #include "roomcast/recording/recorder/unix_clock.h"
 #include "roomcast/recording/room/room_recording.h"
 #include "roomcast/study/comparison_pictures.h"
@@ -173,11 +174,7 @@ Outcome replay_session(const StudyOptions& options) {
   const auto seen = study::seen_conditions(*folder, options.participant, recording->start(),
                                            recording->end() - recording->start());
   if (!seen) return seen.error();
-  std::error_code error;
-  std::filesystem::create_directories(options.out, error);
-  if (error)
-    return Error{ErrorCode::kUnavailable,
-                 "cannot make " + options.out.string() + ": " + error.message()};
+  if (auto status = io::make_folder(options.out); !status) return status.error();
   nlohmann::json conditions = nlohmann::json::array();
   for (const auto& condition : *seen) {
     const auto file = options.out / (condition.name + ".json");

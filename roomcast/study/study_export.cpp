@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/core/csv_field.h"
+#include "roomcast/io/new_folder.h"
 #include "roomcast/study/log_records.h"
 
 namespace roomcast::study {
@@ -139,13 +140,7 @@ void write_session(const std::string& id, const std::vector<Json>& records, CsvF
 }  // namespace
 
 Result<StudyExport> export_csv(const StudyFolder& study, const fs::path& out) {
-  std::error_code error;
-  if (fs::exists(out, error))
-    return Error{ErrorCode::kUnavailable,
-                 "there is " + out.string() + " already; choose another folder"};
-  fs::create_directories(out, error);
-  if (error)
-    return Error{ErrorCode::kUnavailable, "cannot make " + out.string() + ": " + error.message()};
+  if (auto status = io::make_new_folder(out); !status) return status.error();
   CsvFiles files(out);
   write_heads(files);
   StudyExport done;

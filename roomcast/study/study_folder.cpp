@@ -10,6 +10,7 @@
 
 #include "roomcast/core/utc_text.h"
 #include "roomcast/io/file_bytes.h"
+#include "roomcast/io/new_folder.h"
 #include "roomcast/io/private_folder.h"
 #include "roomcast/study/counterbalance.h"
 #include "roomcast/study/log_records.h"
@@ -108,10 +109,7 @@ Result<StudyFolder> StudyFolder::create(const fs::path& folder, const StudyPlan&
     }
   }
   for (const char* part : {kPeople, kPlans}) {
-    fs::create_directories(folder / part, error);
-    if (error)
-      return Error{ErrorCode::kUnavailable,
-                   "cannot make " + (folder / part).string() + ": " + error.message()};
+    if (auto status = io::make_folder(folder / part); !status) return status.error();
   }
   const fs::path copy = folder / kPlans / (study.plan_sha256_.substr(0, 16) + ".toml");
   if (auto status = io::write_file(copy, plan_text); !status) return status.error();

@@ -10,6 +10,7 @@
 
 #include "roomcast/core/csv_field.h"
 #include "roomcast/io/file_bytes.h"
+#include "roomcast/io/new_folder.h"
 
 namespace roomcast::study {
 namespace {
@@ -212,13 +213,7 @@ std::string figure_svg(const Measure& measure, const std::vector<std::string>& c
 }
 
 Status write_report(const ConditionSummary& summary, const fs::path& out) {
-  std::error_code error;
-  if (fs::exists(out, error))
-    return Error{ErrorCode::kUnavailable,
-                 "there is " + out.string() + " already; choose another folder"};
-  fs::create_directories(out, error);
-  if (error)
-    return Error{ErrorCode::kUnavailable, "cannot make " + out.string() + ": " + error.message()};
+  if (auto status = io::make_new_folder(out); !status) return status.error();
   for (const Measure& measure : summary.measures) {
     const std::string svg = figure_svg(measure, summary.conditions) + "\n";
     if (auto status = io::write_file(out / (measure.name + ".svg"), svg); !status) return status;

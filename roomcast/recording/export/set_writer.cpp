@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "roomcast/io/file_bytes.h"
+#include "roomcast/io/new_folder.h"
 #include "roomcast/recording/export/cloud_files.h"
 #include "roomcast/recording/export/folder_writer.h"
 #include "roomcast/recording/export/foxglove_writer.h"
@@ -124,14 +125,6 @@ Result<std::unique_ptr<SetWriter>> make_foxglove_file(const std::filesystem::pat
 
 }  // namespace
 
-Status make_export_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!error) return {};
-  return Error{ErrorCode::kUnavailable,
-               "cannot make the folder " + folder.string() + ": " + error.message()};
-}
-
 std::string_view name_of(ExportFormat format) {
   switch (format) {
     case ExportFormat::kPly:
@@ -155,7 +148,7 @@ Result<std::unique_ptr<SetWriter>> make_set_writer(ExportFormat format,
                                                    const ExportedRoom& room,
                                                    const MergedCloudOptions& cloud, UpAxis up) {
   if (auto status = cloud.check(); !status) return status.error();
-  if (auto status = make_export_folder(out); !status) return status.error();
+  if (auto status = io::make_folder(out); !status) return status.error();
   switch (format) {
     case ExportFormat::kPly:
       return std::unique_ptr<SetWriter>(std::make_unique<CloudFiles>(

@@ -55,9 +55,6 @@ struct ExportedRoom {
   nanoseconds began_at{};  // as FrameSetReader::began_at; times in files are UTC then
 };
 
-/// Makes a folder for output, and those above it. kUnavailable if that is not possible.
-[[nodiscard]] Status make_export_folder(const std::filesystem::path& folder);
-
 /// `up` is that of `world` in a Foxglove file; in the other formats y is up.
 /// Creates the folder `out`. kInvalidArgument as MergedCloudOptions::check; kUnavailable if it
 /// cannot be written, or is not empty although the format needs a new folder.

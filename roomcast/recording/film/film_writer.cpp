@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "roomcast/io/image_file.h"
+#include "roomcast/io/new_folder.h"
 
 namespace roomcast::recording {
 namespace {
@@ -164,7 +165,7 @@ class NamedWhenWhole final : public viewer::VideoSink {
 Result<std::unique_ptr<viewer::VideoSink>> open_sink(const std::filesystem::path& out,
                                                      const FilmOptions& options) {
   const auto file = out / "film.mp4", part = out / "film.part.mp4", folder = out / "film";
-  if (auto status = make_export_folder(out); !status) return status.error();
+  if (auto status = io::make_folder(out); !status) return status.error();
   std::error_code error;
   for (const auto& path : {file, folder}) {
     if (std::filesystem::exists(path, error)) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "roomcast/io/file_bytes.h"
+#include "roomcast/io/new_folder.h"
 #include "roomcast/model/color_gains.h"
 #include "roomcast/model/volume_mesh.h"
 
@@ -101,7 +102,7 @@ Result<std::unique_ptr<SetWriter>> make_mesh_writer(const std::filesystem::path&
   if (auto status = options.model.check(); !status) return status.error();
   if (options.crop_m && options.crop_m->isEmpty())
     return invalid_argument("the crop box is empty; give two opposite corners");
-  if (auto status = make_export_folder(out); !status) return status.error();
+  if (auto status = io::make_folder(out); !status) return status.error();
   return std::unique_ptr<SetWriter>(std::make_unique<MeshWriter>(
       out, sensors, std::move(options), std::move(progress), std::move(stop)));
 }

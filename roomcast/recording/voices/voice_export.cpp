@@ -13,6 +13,7 @@
 
 #include "roomcast/core/csv_field.h"
 #include "roomcast/io/file_bytes.h"
+#include "roomcast/io/new_folder.h"
 #include "roomcast/recording/voices/listener_gains.h"
 #include "roomcast/recording/voices/voice_mix.h"
 #include "roomcast/recording/voices/voice_track.h"
@@ -305,12 +306,7 @@ Status VoiceExporter::write_list() const {
 Result<VoiceExport> export_voices(const RoomRecording& recording,
                                   const VoiceExportOptions& options) {
   if (auto status = check_may_be_exported(recording); !status) return status.error();
-  std::error_code error;
-  std::filesystem::create_directories(options.out, error);
-  if (error) {
-    return Error{ErrorCode::kUnavailable,
-                 "cannot make the folder " + options.out.string() + ": " + error.message()};
-  }
+  if (auto status = io::make_folder(options.out); !status) return status.error();
   return VoiceExporter(recording, options).run();
 }
 

@@ -10,6 +10,7 @@
 #include "roomcast/io/camera_json.h"
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/io/image_file.h"
+#include "roomcast/io/new_folder.h"
 #include "roomcast/recording/dataset/rig_json.h"
 
 namespace roomcast::simulator {
@@ -21,14 +22,6 @@ std::string numbered(std::uint64_t frame, const char* ending) {
   char name[40];
   std::snprintf(name, sizeof(name), "%06" PRIu64 "%s", frame, ending);
   return name;
-}
-
-Status make_folder(const fs::path& path) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (!error) return {};
-  return Error{ErrorCode::kUnavailable,
-               "cannot make the folder " + path.string() + ": " + error.message()};
 }
 
 std::string true_rig(double fps, std::span<const recording::RigSensor> sensors,
@@ -69,9 +62,9 @@ RigTruth::RigTruth(const fs::path& directory, std::span<const recording::RigSens
 Status RigTruth::make_folders(std::size_t sensor, const SensorCalibration& calibration,
                               bool with_color) const {
   const fs::path& folder = folders_[sensor];
-  if (Status made = make_folder(folder / "moving"); !made) return made;
+  if (Status made = io::make_folder(folder / "moving"); !made) return made;
   if (with_color) {
-    if (Status made = make_folder(folder / "color"); !made) return made;
+    if (Status made = io::make_folder(folder / "color"); !made) return made;
   }
   for (const auto& [name, text] :
        {std::pair<const char*, std::string>{"camera.json", io::camera_json_text(calibration)},
