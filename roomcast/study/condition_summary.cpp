@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "roomcast/study/log_records.h"
 #include "roomcast/study/plan.h"
 
 namespace roomcast::study {
@@ -83,7 +84,7 @@ class SessionReader {
   void take(const Json& record) {
     const std::string& kind = record.at("kind").get_ref<const std::string&>();
     const double t = record.at("t").get<double>();
-    if (kind == "steps") return step(record, t);
+    if (const auto condition = condition_after(record)) return enter(*condition, t);
     if (kind == "answers") return answer(record);
     if (kind == "comparisons") return compared(record);
     if (now_.empty()) return;
@@ -114,13 +115,10 @@ class SessionReader {
     correct += record.at("correct") == true;
   }
 
-  void step(const Json& record, double t) {
-    if (record.at("what") == "questionnaire") {
-      questionnaire_ = record.at("begins") == true ? record.at("name").get<std::string>() : "";
-      return;
-    }
-    if (record.at("begins") == true) {
-      last_ = now_ = record.at("name").get<std::string>();
+  /// An empty name ends the condition.
+  void enter(const std::string& condition, double t) {
+    if (!condition.empty()) {
+      last_ = now_ = condition;
       by_condition[now_].began_s = t;
       by_condition[now_].head_m.reset();
       return;
@@ -149,7 +147,6 @@ class SessionReader {
 
   std::set<std::string> after_condition_;
   std::string now_, last_;  // condition
-  std::string questionnaire_;
 };
 
 std::optional<double> value_of(const Known& measure, const Gathered& here) {

@@ -98,6 +98,27 @@ TEST_F(ConditionSummaryTest, counts_photographs_that_were_recognised) {
   EXPECT_EQ(summary->participants, 1u);
 }
 
+TEST_F(ConditionSummaryTest, a_comparison_is_no_condition) {
+  auto study = create_from(kComparedPlan);
+  (void)study.enroll(plan, "k", kNow);
+  const auto comparing = [](double t, bool begins) {
+    Json record = step(t, 1, "c", begins);
+    record["what"] = "comparison";
+    return record;
+  };
+  ASSERT_TRUE(study
+                  .append("P001", 1,
+                          {step(0, 0, "one", true), step(60, 0, "one", false), comparing(61, true),
+                           pose(62, 0), comparing(70, false), answer(71, 6)})
+                  .ok());
+  const auto summary = summarise(study);
+  ASSERT_TRUE(summary.ok());
+  const Measure* answered = find(*summary, "q.i");
+  ASSERT_NE(answered, nullptr);
+  EXPECT_EQ(answered->values.at("one").at("P001"), 6);
+  for (const Measure& measure : summary->measures) EXPECT_FALSE(measure.values.contains("c"));
+}
+
 TEST_F(ConditionSummaryTest, of_nobody_has_no_measures) {
   const auto summary = summarise(create_from(kComparedPlan));
   ASSERT_TRUE(summary.ok());

@@ -149,4 +149,9 @@ Status check_record(const Json& record) {
   return {};
 }
 
+std::optional<std::string> condition_after(const Json& record) {
+  if (record.at("kind") != "steps" || record.at("what") != "condition") return std::nullopt;
+  return record.at("begins") == true ? record.at("name").get<std::string>() : std::string();
+}
+
 }  // namespace roomcast::study

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include <nlohmann/json_fwd.hpp>
@@ -41,5 +43,9 @@ struct LogKind {
 /// A record is an object with "kind", "t" (seconds since the session began) and all fields of its
 /// kind. kMalformed, with a sentence.
 [[nodiscard]] Status check_record(const nlohmann::json& record);
+
+/// The condition that holds after a checked record that begins one, or "" after one that ends one;
+/// nothing: the record does neither.
+[[nodiscard]] std::optional<std::string> condition_after(const nlohmann::json& record);
 
 }  // namespace roomcast::study

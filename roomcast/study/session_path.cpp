@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/core/utc_text.h"
+#include "roomcast/study/log_records.h"
 #include "roomcast/study/plan.h"
 
 namespace roomcast::study {
@@ -49,6 +50,54 @@ void cut(SeenCondition& seen, double length_s) {
   });
 }
 
+/// Goes through the records of a session; times become those of the recording.
+class SeenReader {
+ public:
+  SeenReader(const StudyPlan& plan, double offset_s, double length_s)
+      : plan_(plan), offset_s_(offset_s), length_s_(length_s) {}
+
+  void take(const Json& record) {
+    const double time_s = record.at("t").get<double>() + offset_s_;
+    if (const auto condition = condition_after(record))
+      condition->empty() ? end(time_s) : begin(*condition, time_s);
+    else if (record.at("kind") == "poses" && now_)
+      look(record, time_s - late_s_ - now_->from_s);
+  }
+  [[nodiscard]] std::vector<SeenCondition> finish() { return std::move(seen_); }
+
+ private:
+  void begin(const std::string& name, double time_s) {
+    const auto condition = std::ranges::find(plan_.conditions, name, &Condition::name);
+    const bool is_known = condition != plan_.conditions.end();
+    late_s_ = is_known ? condition->latency_ms / 1000 : 0;
+    now_ = SeenCondition{.name = name,
+                         .from_s = time_s - late_s_,
+                         .mode = is_known ? condition->mode : "",
+                         .fps = is_known ? condition->fps : 0,
+                         .keys = {}};
+  }
+
+  void look(const Json& pose, double key_s) {
+    if (now_->keys.empty() || key_s >= now_->keys.back().time_s + kMinStep_s)
+      now_->keys.push_back(key_of(pose, key_s));
+  }
+
+  void end(double time_s) {
+    if (!now_) return;
+    now_->to_s = time_s - late_s_;
+    cut(*now_, length_s_);
+    if (now_->to_s - now_->from_s >= kMinSeen_s && !now_->keys.empty())
+      seen_.push_back(*std::move(now_));
+    now_.reset();
+  }
+
+  const StudyPlan& plan_;
+  const double offset_s_, length_s_;
+  std::vector<SeenCondition> seen_;
+  std::optional<SeenCondition> now_;
+  double late_s_ = 0;  // what the condition adds to the latency
+};
+
 }  // namespace
 
 Result<std::vector<SeenCondition>> seen_conditions(const StudyFolder& study,
@@ -63,37 +112,9 @@ Result<std::vector<SeenCondition>> seen_conditions(const StudyFolder& study,
     return Error{ErrorCode::kMalformed, "it is not known when " + participant + " began"};
   const auto plan = study.plan_of(*person);
   if (!plan) return plan.error();
-  const double offset_s = seconds_of(*consented - began);
-  std::vector<SeenCondition> seen;
-  std::optional<SeenCondition> now;
-  double late_s = 0;
-  for (const Json& record : log->records) {
-    const double time_s = record.at("t").get<double>() + offset_s - late_s;
-    if (record.at("kind") == "steps" && record.at("what") == "condition") {
-      const std::string name = record.at("name");
-      if (record.at("begins") == true) {
-        const auto condition = std::ranges::find(plan->conditions, name, &Condition::name);
-        const bool is_known = condition != plan->conditions.end();
-        late_s = is_known ? condition->latency_ms / 1000 : 0;
-        now = SeenCondition{.name = name,
-                            .from_s = record.at("t").get<double>() + offset_s - late_s,
-                            .mode = is_known ? condition->mode : "",
-                            .fps = is_known ? condition->fps : 0,
-                            .keys = {}};
-      } else if (now) {
-        now->to_s = time_s;
-        cut(*now, seconds_of(length));
-        if (now->to_s - now->from_s >= kMinSeen_s && !now->keys.empty())
-          seen.push_back(*std::move(now));
-        now.reset();
-        late_s = 0;
-      }
-    } else if (record.at("kind") == "poses" && now) {
-      const double key_s = time_s - now->from_s;
-      if (now->keys.empty() || key_s >= now->keys.back().time_s + kMinStep_s)
-        now->keys.push_back(key_of(record, key_s));
-    }
-  }
+  SeenReader reader(*plan, seconds_of(*consented - began), seconds_of(length));
+  for (const Json& record : log->records) reader.take(record);
+  std::vector<SeenCondition> seen = reader.finish();
   if (seen.empty())
     return Error{ErrorCode::kNotFound, "this recording has no condition of " + participant +
                                            "; record the room during the session"};

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -116,12 +115,6 @@ void write_heads(CsvFiles& files) {
     }
     files.row(file_of(kind), names);
   }
-}
-
-/// The condition that is begun or ended by a record; nothing: neither.
-std::optional<std::string> condition_after(const Json& record) {
-  if (record.at("kind") != "steps" || record.at("what") != "condition") return std::nullopt;
-  return record.at("begins") == true ? record.at("name").get<std::string>() : std::string();
 }
 
 void write_session(const std::string& id, const std::vector<Json>& records, CsvFiles& files) {
