@@ -11,9 +11,6 @@
 namespace roomcast::cli {
 namespace {
 
-/// Belief that sensors are not calibrated, above which users are told.
-constexpr double kDoubtedFrom = 0.5;
-
 nlohmann::json json_of(const std::optional<RigidTransform>& transform) {
   if (!transform) return nullptr;
   return row_major_from_transform(*transform);
@@ -119,7 +116,7 @@ std::string calibration_text(const alignment::AlignmentReport& report) {
   }
   if (!factors.empty())
     text += fmt::format("\nThese poses need depth multiplied by: {}.\n", factors);
-  if (report.uncalibrated_belief > kDoubtedFrom) {
+  if (report.uncalibrated_belief >= alignment::PlacingOptions{}.uncalibrated) {
     text +=
         "\nSurfaces disagree as those of sensors do that nobody calibrated. `roomcast calibrate` "
         "measures a sensor's lens and depth";

@@ -160,6 +160,13 @@ std::string why_sensor_is_apart(const std::string& name, const std::vector<PairR
   return nearest ? nearest->reason : "there is no other sensor to align it with";
 }
 
+/// origin_from_sensor of each sensor.
+std::vector<RigidTransform> refined_poses(const RigAnswer& answer) {
+  std::vector<RigidTransform> poses;
+  for (const RefinedSensor& sensor : answer.refined) poses.push_back(sensor.origin_from_sensor);
+  return poses;
+}
+
 /// Refines all placed sensors at once, over all pairs of them with sufficient evidence at the given
 /// poses. Sensors with factors on their readings are known not to be calibrated.
 void refine(std::span<const RigPair> pairs, const std::vector<RigidTransform>& origin_from_sensor,
@@ -181,19 +188,15 @@ bool refine_jointly(std::span<const RigPair> pairs, const RigOptions& options,
                     std::span<const DepthScale> scales, RigAnswer& answer) {
   const std::size_t origin = answer.selection.origin;
   if (answer.refined[origin].uncalibrated_belief < options.placing.uncalibrated) return false;
-  std::vector<RigidTransform> now;
-  for (const RefinedSensor& sensor : answer.refined) now.push_back(sensor.origin_from_sensor);
-  refine_uncalibrated(origin, usable_pairs(pairs, answer.placed, now, options), scales,
-                      options.depth_scales, options.pair.residuals, answer.refined);
+  refine_uncalibrated(origin, usable_pairs(pairs, answer.placed, refined_poses(answer), options),
+                      scales, options.depth_scales, options.pair.residuals, answer.refined);
   return true;
 }
 
 /// Refines again from the refined poses, where other matches agree than at the start.
 void refine_again(std::span<const RigPair> pairs, const RigOptions& options,
                   std::span<const DepthScale> scales, RigAnswer& answer) {
-  std::vector<RigidTransform> now;
-  for (const RefinedSensor& sensor : answer.refined) now.push_back(sensor.origin_from_sensor);
-  refine(pairs, now, options, scales, answer);
+  refine(pairs, refined_poses(answer), options, scales, answer);
 }
 
 RigAnswer answer_of(std::size_t sensors, std::span<const RigPair> pairs, const RigOptions& options,
@@ -245,10 +248,8 @@ std::vector<bool> connected_with(std::size_t origin, std::size_t sensors,
 /// errors. Lenses or depth that are off make that of poses which were selected for good reasons.
 void release_unheld(std::span<const RigPair> pairs, const RigOptions& options, RigAnswer& answer) {
   const std::size_t origin = answer.selection.origin, sensors = answer.placed.size();
-  std::vector<RigidTransform> now;
-  for (const RefinedSensor& sensor : answer.refined) now.push_back(sensor.origin_from_sensor);
-  std::vector<bool> held =
-      connected_with(origin, sensors, usable_pairs(pairs, answer.placed, now, options));
+  std::vector<bool> held = connected_with(
+      origin, sensors, usable_pairs(pairs, answer.placed, refined_poses(answer), options));
   for (std::size_t i = 0; i < sensors; ++i)
     if (answer.refined[i].covariance.isZero()) held[i] = false;
   answer.unheld.assign(sensors, false);
