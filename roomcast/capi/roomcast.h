@@ -281,8 +281,8 @@ ROOMCAST_API int roomcast_get_person(const roomcast_people* people, size_t numbe
 #define ROOMCAST_MARK_DISTANCE 3 /* between two points; no words */
 #define ROOMCAST_MARK_PLACE 4    /* a name, where somebody stands, and what they look at */
 
-/* What somebody has left in the room for everybody. Pointers are valid until the roomcast_people is
- * freed. */
+/* A note, sketch, distance or place that a person has left in the room; everybody sees it. Pointers
+ * are valid until the roomcast_people is freed. */
 typedef struct roomcast_mark {
   size_t size;
   uint32_t id;

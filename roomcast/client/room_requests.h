@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a viewer asks of its hub, with the answer: leaving and removing marks, and proposing where a
-// sensor is. Metres. The hub answers by what it then tells everybody, so one thread at a time may
-// ask through a subscriber. Threading: blocks.
+// Requests of a viewer to its hub, each with its answer: to leave and remove marks, and to propose
+// where a sensor is. Metres. The hub answers by what it then tells everybody, so one thread at a
+// time may ask through a subscriber. Threading: blocks.
 #pragma once
 
 #include <chrono>

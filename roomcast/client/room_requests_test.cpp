@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What needs no hub of its own; nudge_test.cpp has the proposals of poses, and
+// Requests about marks, answered by a scripted hub. nudge_test.cpp tests proposals of poses,
 // capi/people_test.cpp the answers of a real hub.
 #include "roomcast/client/room_requests.h"
 

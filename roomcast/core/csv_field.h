@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text as a field of a CSV file (RFC 4180). What a spreadsheet would take for a formula gets a
-// leading apostrophe: names and answers come from strangers. Thread-safe (no state).
+// Text as a field of a CSV file (RFC 4180). A leading apostrophe keeps spreadsheets from taking a
+// text for a formula: names and answers come from strangers. Thread-safe (no state).
 #pragma once
 
 #include <string>

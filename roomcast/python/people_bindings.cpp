@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What people do in a live room: heads, marks, voices; and where sensors are.
+// Bindings of the people in a live room (heads, marks, voices), and of the sensors' places.
 #include <algorithm>
 #include <array>
 #include <chrono>

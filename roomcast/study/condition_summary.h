@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the sessions of a study say of each condition: one value of each participant for each
-// measure (answers, what the participant got, how they moved and spoke), and mean, spread and
-// confidence interval over the participants. Of paired comparisons, how often the photograph was
-// chosen. Method: mean with the interval of Student's t (Student 1908); shares with the score
-// interval (Wilson 1927), which takes answers for independent of each other. Threading: no state.
+// Summary of a study by conditions: each participant has one value of each measure (answers, what
+// the participant got, how they moved and spoke); mean, spread and confidence interval are over the
+// participants. Of paired comparisons it says how often the photograph was chosen. Method: mean
+// with the interval of Student's t (Student 1908); shares with the score interval (Wilson 1927),
+// which takes answers for independent of each other. Threading: no state.
 #pragma once
 
 #include <cstddef>

@@ -26,10 +26,10 @@ struct SeenCondition {
   std::vector<PathKey> keys;
 };
 
-/// `began`: when the recording began, since 1970; `length`: of the recording. What a condition's
-/// latency adds is taken off, so that a film shows what was seen. Conditions of which less than a
-/// second is in the recording, or that have no poses, are left out. kNotFound: none is left. Also
-/// the errors of StudyFolder.
+/// `began`: when the recording began, since 1970; `length`: of the recording. Times are earlier by
+/// the latency that a condition adds, so that a film shows what was seen. Conditions of which less
+/// than a second is in the recording, or that have no poses, are left out. kNotFound: none is left.
+/// Also the errors of StudyFolder.
 [[nodiscard]] Result<std::vector<SeenCondition>> seen_conditions(const StudyFolder& study,
                                                                  const std::string& participant,
                                                                  nanoseconds began,

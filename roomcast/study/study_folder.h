@@ -73,7 +73,7 @@ class StudyFolder {
     std::vector<nlohmann::json> records;
     Progress progress;
   };
-  /// What was logged. A batch that was cut off by a crash is left out. Errors of participant().
+  /// The participant's log, without a batch that a crash cut off. Errors of participant().
   [[nodiscard]] Result<Log> log(const std::string& id) const;
 
   /// Removes all of a participant, for good. kNotFound.

@@ -135,7 +135,8 @@ th, td {{ padding: 2px 12px 2px 0; text-align: left; border-bottom: 1px solid #c
 </style>
 <h1>{0}</h1>
 <p>{1} of whom something is known. A dot is a participant, the thick mark their mean, the line its
-95 % confidence interval (Student’s t). What columns and measures mean: roomcast’s guide of studies.</p>
+95 % confidence interval (Student’s t). Roomcast’s guide of studies
+explains the columns and measures.</p>
 )";
 
 std::string table_html(const Measure& measure, const std::vector<std::string>& conditions) {

@@ -25,7 +25,7 @@ struct SpokenPacket {
 class SpokenVoice {
  public:
   static constexpr std::chrono::seconds kMaxAtOnce{1};
-  /// Who falls behind by more than this has paused without a word.
+  /// A speaker who falls behind by more than this counts as having paused.
   static constexpr std::chrono::milliseconds kMaxBehind{200};
 
   /// `samples` were recorded just before `now`. kTooLarge: more than kMaxAtOnce, or said faster
