@@ -2,7 +2,6 @@
 // The functions of roomcast.h about people, their marks, and where sensors are.
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -189,8 +188,8 @@ int roomcast_nudge_sensor(roomcast_viewer* viewer, const char* sensor, const roo
     by.shift_m = Eigen::Vector3d::Map(nudge.shift_m);
     by.turn_rad = nudge.turn_rad;
     by.tilt_rad = nudge.tilt_rad;
-    if (!by.shift_m.allFinite() || !std::isfinite(by.turn_rad) || !std::isfinite(by.tilt_rad)) {
-      say("a number of the nudge is not finite", error, error_size);
+    if (const Status checked = client::check_nudge(by); !checked) {
+      say(checked.error().message, error, error_size);
       return 0;
     }
     const std::lock_guard lock(viewer->asks);

@@ -10,6 +10,7 @@
 #include "roomcast/capi/c_border.h"
 #include "roomcast/capi/roomcast.h"
 #include "roomcast/capi/viewer.h"
+#include "roomcast/client/voices/speak.h"
 #include "roomcast/wire/limits.h"
 
 namespace {
@@ -56,17 +57,6 @@ void fill_voice(const roomcast_viewer& viewer, const client::VoiceListener::Hear
   capi::copy_known_part(voice, out);
 }
 
-Status speak(roomcast_viewer& viewer, std::span<const float> samples) {
-  const auto room = viewer.subscriber->snapshot();
-  if (const Status may = client::check_may_speak(room->rights); room->connected && !may) return may;
-  const std::lock_guard lock(viewer.speaks);
-  auto packets = viewer.spoken.say(samples, SteadyClock().now());
-  if (!packets) return packets.error();
-  for (client::SpokenPacket& packet : *packets)
-    viewer.subscriber->say(std::move(packet.opus), packet.ends, packet.first_sample);
-  return {};
-}
-
 }  // namespace
 
 extern "C" {
@@ -91,7 +81,10 @@ int roomcast_may_speak(roomcast_viewer* viewer, char* error, size_t error_size) 
 int roomcast_speak(roomcast_viewer* viewer, const float* samples, size_t count, char* error,
                    size_t error_size) {
   return capi::guarded(0, error, error_size, [&] {
-    const Status said = speak(*viewer, std::span(samples, samples == nullptr ? 0 : count));
+    const std::lock_guard lock(viewer->speaks);
+    const Status said =
+        client::speak(*viewer->subscriber, viewer->spoken,
+                      std::span(samples, samples == nullptr ? 0 : count), SteadyClock().now());
     if (!said) capi::say(said.error().message, error, error_size);
     return said ? 1 : 0;
   });
@@ -100,8 +93,7 @@ int roomcast_speak(roomcast_viewer* viewer, const float* samples, size_t count, 
 void roomcast_pause_speaking(roomcast_viewer* viewer) {
   capi::guarded(0, nullptr, 0, [&] {
     const std::lock_guard lock(viewer->speaks);
-    if (auto last = viewer->spoken.pause())
-      viewer->subscriber->say(std::move(last->opus), last->ends, last->first_sample);
+    client::pause_speaking(*viewer->subscriber, viewer->spoken);
     return 0;
   });
 }

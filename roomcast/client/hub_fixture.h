@@ -15,6 +15,7 @@
 
 #include "roomcast/client/framed_control.h"
 #include "roomcast/net/http_server.h"
+#include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/control.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
@@ -52,11 +53,12 @@ class FakeHub {
 
   std::vector<wire::pb::Control> heard;   // without pings, which are answered
   std::vector<wire::FrameHeader> frames;  // headers of published frames
+  std::vector<wire::AudioHeader> voices;  // headers of what was said
   int joins = 0;
   std::function<void()> on_join = [] {};  // after the welcome
   std::optional<wire::pb::ErrorCode> refuse_joins_with;
   bool lets_joins_wait = false;
-  bool lets_record = true, lets_export = true, lets_mark = true;
+  bool lets_record = true, lets_export = true, lets_mark = true, lets_speak = false;
   std::chrono::nanoseconds clock_ahead{};  // offset of this hub's clock
   std::chrono::nanoseconds far_away{};     // simulated travel time of a ping and its answer
 
@@ -89,10 +91,9 @@ class FakeHub {
   }
 
   void take(std::span<const std::uint8_t> message) {
-    if (*wire::message_type(message) == wire::MessageType::kFrame) {
-      frames.push_back(*wire::parse_frame(message));
-      return;
-    }
+    const wire::MessageType type = *wire::message_type(message);
+    if (type == wire::MessageType::kFrame) return frames.push_back(*wire::parse_frame(message));
+    if (type == wire::MessageType::kAudio) return voices.push_back(*wire::parse_audio(message));
     const auto control = *wire::decode_control(message, wire::Sender::kClient);
     if (control.has_clock_ping()) return answer(control.clock_ping());
     heard.push_back(control);
@@ -119,6 +120,7 @@ class FakeHub {
     control.mutable_welcome()->set_may_export(lets_export);
     control.mutable_welcome()->set_may_place(true);
     control.mutable_welcome()->set_may_mark(lets_mark);
+    control.mutable_welcome()->set_may_speak(lets_speak);
     say(control);
     on_join();
   }

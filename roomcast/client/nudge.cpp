@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/client/nudge.h"
 
+#include <cmath>
+
 #include <Eigen/Geometry>
 
 #include "roomcast/client/room_requests.h"
 #include "roomcast/client/subscriber.h"
 
 namespace roomcast::client {
+
+Status check_nudge(const NudgeOptions& options) {
+  if (options.shift_m.allFinite() && std::isfinite(options.turn_rad) &&
+      std::isfinite(options.tilt_rad))
+    return {};
+  return invalid_argument("a number of the nudge is not finite");
+}
 
 RigidTransform nudged(const RigidTransform& world_from_depth, const NudgeOptions& options) {
   const Eigen::AngleAxisd turn(options.turn_rad, Eigen::Vector3d::UnitY());  // world axis

@@ -31,6 +31,9 @@ struct NudgeOptions {
 /// the reason why there is no connection.
 [[nodiscard]] Result<PlacedSensor> nudge_sensor(const NudgeOptions& options);
 
+/// kInvalidArgument: a number is not finite.
+[[nodiscard]] Status check_nudge(const NudgeOptions& options);
+
 /// Tilts and turns the sensor about its own position, then shifts it.
 [[nodiscard]] RigidTransform nudged(const RigidTransform& world_from_depth,
                                     const NudgeOptions& options);

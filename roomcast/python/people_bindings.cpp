@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,6 +17,7 @@
 
 #include "roomcast/client/nudge.h"
 #include "roomcast/client/room_requests.h"
+#include "roomcast/client/voices/speak.h"
 #include "roomcast/python/arrays.h"
 #include "roomcast/python/watched_room.h"
 #include "roomcast/python/without_gil.h"
@@ -174,27 +174,18 @@ py::object next_voice(WatchedRoom& room, std::optional<double> timeout_s) {
   }
 }
 
-void send_packets(client::Subscriber& room, std::vector<client::SpokenPacket> packets) {
-  for (client::SpokenPacket& packet : packets)
-    room.say(std::move(packet.opus), packet.ends, packet.first_sample);
-}
-
 void speak(WatchedRoom& room, const py::object& given) {
   const auto samples = py::array_t<float, py::array::c_style | py::array::forcecast>::ensure(given);
   if (!samples || samples.ndim() != 1) {
     PyErr_Clear();
     throw Failure(invalid_argument("samples must be a row of numbers"));
   }
-  const auto subscriber = room.subscriber();
-  const auto snapshot = subscriber->snapshot();
-  if (snapshot->connected) check(client::check_may_speak(snapshot->rights));
   const std::span sound(samples.data(), static_cast<std::size_t>(samples.size()));
-  send_packets(*subscriber, value_of(room.spoken.say(sound, SteadyClock().now())));
+  check(client::speak(*room.subscriber(), room.spoken, sound, SteadyClock().now()));
 }
 
 void pause_speaking(WatchedRoom& room) {
-  const auto subscriber = room.subscriber();
-  if (auto last = room.spoken.pause()) send_packets(*subscriber, {*std::move(last)});
+  client::pause_speaking(*room.subscriber(), room.spoken);
 }
 
 using Placed = std::tuple<py::array, double>;
@@ -219,8 +210,7 @@ Placed nudge(const WatchedRoom& room, const std::string& sensor,
   by.shift_m = Eigen::Vector3d::Map(shift_m.data());
   by.turn_rad = turn_rad;
   by.tilt_rad = tilt_rad;
-  if (!by.shift_m.allFinite() || !std::isfinite(turn_rad) || !std::isfinite(tilt_rad))
-    throw Failure(invalid_argument("a number of the nudge is not finite"));
+  check(client::check_nudge(by));
   return placed_by(room, sensor,
                    [by](const RigidTransform& pose) { return client::nudged(pose, by); });
 }
