@@ -94,6 +94,8 @@ inline const std::vector<Layer> kLayers = {
      "core recording/bytes"},
     {"recording/ros",
      "core"},
+    {"recording/foxglove",
+     "recording/ros wire"},
     {"recording/lzfse",
      "core"},
     {"recording/zip",
@@ -106,13 +108,14 @@ inline const std::vector<Layer> kLayers = {
     {"recording/playback",
      "client/room codec core io recording/dataset recording/room source wire"},
     {"recording/import",
-     "core geometry io recording/bytes recording/dataset recording/lzfse recording/matroska recording/mcap "
-     "recording/playback recording/ros recording/rosbag recording/zip source"},
+     "codec/color core geometry io recording/bytes recording/dataset recording/foxglove recording/lzfse "
+     "recording/matroska recording/mcap recording/playback recording/ros recording/rosbag recording/zip source"},
     {"recording/frame_sets",
      "client/room codec core geometry recording/playback recording/room wire",
      "recording/dataset"},
     {"recording/export",
-     "codec/color core geometry io recording/dataset recording/frame_sets recording/mcap"},
+     "codec/color core geometry io recording/dataset recording/foxglove recording/frame_sets recording/mcap",
+     "recording/import"},
     {"recording/mesh",
      "core io model recording/export recording/frame_sets"},
     {"render/gl",
@@ -286,7 +289,7 @@ inline const std::vector<Layer> kLayers = {
      "core codec codec/color codec/lossless codec/live codec/mask codec/payload"},
     {"fuzz",
      "core geometry codec codec/lossless codec/live codec/mask codec/payload wire net client/room recording/bytes "
-     "recording/matroska recording/mcap recording/lzfse recording/room recording/ros recording/rosbag recording/zip capi hub/federation/cluster hub/federation/nats"},
+     "recording/foxglove recording/matroska recording/mcap recording/lzfse recording/room recording/ros recording/rosbag recording/zip capi hub/federation/cluster hub/federation/nats"},
     {"bench",
      "*"},
 };

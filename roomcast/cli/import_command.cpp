@@ -142,8 +142,9 @@ void add_import_command(CLI::App& app, Command& chosen) {
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
       "Formats: .mkv of k4arecorder (Azure Kinect), .bag of RealSense cameras and of ROS 1,\n"
-      ".mcap and .db3 of ROS 2, .sens of ScanNet, .r3d of Record3D, folders of cwipc with a\n"
-      "cameraconfig.json, folders of pictures with a recording.toml.\n"
+      ".mcap and .db3 of ROS 2, .mcap of Foxglove's schemas (roomcast export writes it, too),\n"
+      ".sens of ScanNet, .r3d of Record3D, folders of cwipc with a cameraconfig.json, folders of\n"
+      "pictures with a recording.toml.\n"
       "Example:\n"
       "  roomcast import left.mkv right.mkv lab\n"
       "  roomcast demo --rig lab");

@@ -21,9 +21,8 @@ namespace {
 
 constexpr const char* kKinds =
     "a source is sim[:scene[,option...]][#sensor], rig:DIR#sensor, tum:DIR, mcap:FILE#sensor, a "
-    "recording of another program: mkv:FILE, bag:FILE, ros2:FILE, sens:FILE, r3d:FILE, "
-    "cwipc:DIR or pictures:DIR, or a "
-    "camera: freenect:0, openni2:[FILE.oni], "
+    "recording of another program: mkv:FILE, bag:FILE, ros2:FILE, foxglove:FILE, sens:FILE, "
+    "r3d:FILE, cwipc:DIR or pictures:DIR, or a camera: freenect:0, openni2:[FILE.oni], "
     "realsense:[SERIAL], freenect2:[SERIAL], k4a:[SERIAL], or "
     "one of ROS 2: ros2-topic:/DEPTH[,/COLOR]; "
     "for example sim:office,camera=d435#0, rig:house3#s0, tum:kitchen or mcap:lab.mcap#s0";

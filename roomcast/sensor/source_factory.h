@@ -2,7 +2,7 @@
 // Opens the FrameSource that a SPEC on the command line names:
 // sim[:scene][#sensor]  rig:DIR#s0  tum:DIR  mcap:FILE#s0
 // recordings of other programs (recording/import/open_recording.h): mkv:FILE  bag:FILE#camera
-// ros2:FILE#camera  sens:FILE  r3d:FILE  cwipc:DIR#name  pictures:DIR#name
+// ros2:FILE#camera  foxglove:FILE#name  sens:FILE  r3d:FILE  cwipc:DIR#name  pictures:DIR#name
 // ros2-topic:/camera/depth/image_raw[,/camera/color/image_raw]
 // freenect:0  openni2:[URI or FILE.oni]  realsense:[SERIAL]  freenect2:[SERIAL]  k4a:[SERIAL]
 #pragma once

@@ -79,6 +79,8 @@ async function makeOriginals(t, folder) {
   const token = await run('token', '--data', data, '--role', 'admin', '--ttl', '1h');
   writeFileSync(join(folder, 'admin.token'), token.stdout);
   await recordRoom(t, rig, join(folder, 'room.mcap'));
+  const exported = await run('export', rig, '--format', 'foxglove', '--out', join(folder, 'foxglove'));
+  assert.equal(exported.code, 0, exported.stderr);
   writeFileSync(join(folder, 'roomcast.toml'), configuration);
   writeFileSync(join(folder, 'camera_info.yaml'), cameraInfo);
   writeFileSync(join(folder, 'path.json'), cameraPath);
@@ -96,6 +98,7 @@ async function recordRoom(t, rig, file) {
 
 const inRig = /^rig\//;
 const isRecording = /^room\.mcap$/;
+const isForFoxglove = /^foxglove\//;
 const isOfHub = /^data\//;
 
 /** Which programs read a file: [pattern of its path, arguments]. `at` makes a path in the case's folder. */
@@ -118,6 +121,9 @@ const readers = [
   [isRecording, (at, url) => ['sensor', '--source', `mcap:${at('room.mcap')}#s1`, '--hub', url, '--once']],
   [isRecording, (at, url, random) => ['export', at('room.mcap'), '--format', random.pick(['ply', 'pcd', 'gltf', 'rig', 'tum', 'foxglove']), '--out', at('out')]],
   [isRecording, (at) => ['measure', at('room.mcap'), '--floor-plan', at('out.svg')]],
+  [isForFoxglove, (at) => ['import', at('foxglove/room.mcap'), at('out')]],
+  [isForFoxglove, (at) => ['info', at('foxglove/room.mcap'), '--json']],
+  [isForFoxglove, (at, url) => ['sensor', '--source', `foxglove:${at('foxglove/room.mcap')}#s1`, '--hub', url, '--once']],
   [/^roomcast\.toml$/, (at) => ['hub', '--config', at('roomcast.toml'), '--data', at('other')]],
   [/^roomcast\.toml$/, (at) => ['hub', '--check', '--config', at('roomcast.toml')]],
   [/^roomcast\.toml$/, (at) => ['token', '--list', '--config', at('roomcast.toml'), '--data', at('other')]],

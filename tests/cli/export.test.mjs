@@ -268,6 +268,73 @@ test('a_rig_that_was_exported_is_the_same_recording', async (t) => {
   assert.equal(single.code, 0, single.stderr);
 });
 
+/** All files below a folder: path to bytes. */
+function filesOf(folder, below = '') {
+  return readdirSync(join(folder, below), { withFileTypes: true }).flatMap((entry) => {
+    const path = join(below, entry.name);
+    return entry.isDirectory() ? filesOf(folder, path) : [[path, readFileSync(join(folder, path))]];
+  });
+}
+
+for (const format of ['rig', 'tum']) {
+  test(`${format}_exported_again_is_the_same_byte_for_byte`, async (t) => {
+    const { out } = await exportRig(t, format);
+    const again = join(scratchFolder(t), 'out');
+    const result = await run('export', out, '--format', format, '--out', again);
+    assert.equal(result.code, 0, result.stderr);
+    const [first, second] = [new Map(filesOf(out)), new Map(filesOf(again))];
+    assert.deepEqual([...second.keys()].sort(), [...first.keys()].sort());
+    for (const [path, bytes] of first) assert.ok(bytes.equals(second.get(path)), path);
+  });
+}
+
+test('foxglove_imported_and_exported_again_is_the_same', async (t) => {
+  const { out } = await exportRig(t, 'foxglove');
+  const [imported, again] = [join(scratchFolder(t), 'rig'), join(scratchFolder(t), 'out')];
+  const importing = await run('import', join(out, 'room.mcap'), imported, '--json');
+  assert.equal(importing.code, 0, importing.stderr);
+  assert.equal(importing.stderr, '');
+  const crcs = ({ stdout }) => JSON.parse(stdout).sensors.map(({ id, depth_crc32 }) => [id, depth_crc32]);
+  assert.deepEqual(crcs(await run('info', imported, '--json')), crcs(await run('info', rig, '--json')));
+  const exporting = await run('export', imported, '--format', 'foxglove', '--out', again);
+  assert.equal(exporting.code, 0, exporting.stderr);
+  const told = async (folder) => (await readFoxglove(join(folder, 'room.mcap'))).map(({ topic, content, logTime }) => [topic, logTime, content]);
+  const [first, second] = [await told(out), await told(again)];
+  assert.equal(second.length, first.length);
+  first.forEach(([topic, time, content], i) => {
+    assert.deepEqual(second[i].slice(0, 2), [topic, time]);
+    if (topic !== '/tf') return assert.deepEqual(second[i][2], content, topic);
+    // A quaternion and its negative are the same rotation.
+    const [p, q] = [content, second[i][2]].map(({ rotation }) => ['x', 'y', 'z', 'w'].map((axis) => rotation[axis]));
+    const sign = Math.sign(p.reduce((sum, value, axis) => sum + value * q[axis], 0));
+    p.forEach((value, axis) => assert.ok(Math.abs(value - sign * q[axis]) < 1e-12, `${p} became ${q}`));
+    return assert.deepEqual(second[i][2].translation, content.translation);
+  });
+});
+
+test('a_foxglove_file_is_played_and_a_damaged_one_refused_with_one_sentence', async (t) => {
+  const { out } = await exportRig(t, 'foxglove');
+  const file = join(out, 'room.mcap');
+  const specs = [0, 1].flatMap((n) => ['--source', `foxglove:${file}#s${n}`]);
+  const demo = await run('demo', '--headless', '--seconds', '3', '--port', '0', ...specs);
+  assert.equal(demo.code, 0, demo.stderr);
+  assert.match(demo.stdout, /received 2 of 2 sensors/);
+  const bytes = readFileSync(file);
+  const bad = { empty: Buffer.alloc(0), short: bytes.subarray(0, 200), text: Buffer.from('no recording'), noise: Buffer.concat([bytes.subarray(0, 8), Buffer.alloc(3000, 0xff)]) };
+  for (const [name, content] of Object.entries(bad)) {
+    const path = join(out, `${name}.mcap`);
+    writeFileSync(path, content);
+    assertFailed(await run('import', path, join(out, 'rig')), 1, new RegExp(`${name}\\.mcap`));
+    assertFailed(await run('sensor', '--source', `foxglove:${path}`, '--hub', 'ws://127.0.0.1:9'), 1, new RegExp(`${name}\\.mcap`));
+  }
+  writeFileSync(join(out, 'cut.mcap'), bytes.subarray(0, Math.floor(bytes.length * 0.6)));
+  const cut = await run('import', join(out, 'cut.mcap'), join(out, 'rig'), '--json');
+  assert.equal(cut.code, 0, cut.stderr);
+  assert.match(cut.stderr, /everything before that was read/);
+  const frames = JSON.parse(cut.stdout).sensors[0].frames;
+  assert.ok(frames > 2 && frames < 10, String(frames));
+});
+
 test('an_export_goes_on_where_it_was_interrupted', async (t) => {
   const { out } = await exportRig(t, 'ply', '--every', '3');
   const kept = statSync(join(out, 'set_000003.ply')).mtimeMs;

@@ -16,6 +16,10 @@
 
 namespace roomcast::recording {
 
+/// Timestamps from the year 2000 on are times of the day, since 1970-01-01 UTC; earlier ones count
+/// from something else.
+inline constexpr nanoseconds kEarliestUtc = std::chrono::seconds(946'684'800);
+
 struct RecordedFrame {
   std::uint64_t index = 0;  // frame number: that of the file's name, else the position in the list
   nanoseconds device_time{};

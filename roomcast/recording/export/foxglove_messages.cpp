@@ -8,7 +8,7 @@
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/descriptor.pb.h>
 
-#include "roomcast/recording/export/foxglove.pb.h"
+#include "roomcast/recording/foxglove/foxglove.pb.h"
 
 namespace roomcast::recording {
 namespace {

@@ -8,8 +8,8 @@
 #include <google/protobuf/descriptor.pb.h>
 #include <gtest/gtest.h>
 
-#include "roomcast/recording/export/foxglove.pb.h"
 #include "roomcast/recording/export/wall_fixture.h"
+#include "roomcast/recording/foxglove/foxglove.pb.h"
 
 namespace roomcast::recording {
 namespace {

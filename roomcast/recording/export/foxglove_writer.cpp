@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/recording/export/foxglove_writer.h"
 
+#include <array>
+#include <charconv>
 #include <utility>
 
 namespace roomcast::recording {
@@ -12,6 +14,13 @@ constexpr const char* kProtobuf = "protobuf";
 
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+/// Reads again as the same number.
+std::string shortest_text(double number) {
+  std::array<char, 32> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), number);
+  return {text.data(), written.ptr};
 }
 
 recording::mcap::SchemaId add_schema(recording::mcap::Writer& writer, FoxgloveKind kind) {
@@ -33,8 +42,8 @@ Result<FoxgloveWriter> FoxgloveWriter::create(const std::filesystem::path& path,
 
 void FoxgloveWriter::add_channels(const std::vector<SetSensor>& sensors) {
   points_ = writer_.add_channel(add_schema(writer_, FoxgloveKind::kPoints), "/points", kProtobuf);
-  transforms_ =
-      writer_.add_channel(add_schema(writer_, FoxgloveKind::kTransform), "/tf", kProtobuf);
+  transforms_ = writer_.add_channel(add_schema(writer_, FoxgloveKind::kTransform), "/tf", kProtobuf,
+                                    {{"up", up_ == UpAxis::kY ? "y" : "z"}});
   const auto video = add_schema(writer_, FoxgloveKind::kVideo);
   const auto depth = add_schema(writer_, FoxgloveKind::kDepth);
   const auto camera = add_schema(writer_, FoxgloveKind::kCamera);
@@ -42,7 +51,8 @@ void FoxgloveWriter::add_channels(const std::vector<SetSensor>& sensors) {
     SensorChannels channels;
     channels.sensor = sensor;
     channels.video = writer_.add_channel(video, "/" + sensor.name + "/color", kProtobuf);
-    channels.depth = writer_.add_channel(depth, "/" + sensor.name + "/depth", kProtobuf);
+    channels.depth = writer_.add_channel(depth, "/" + sensor.name + "/depth", kProtobuf,
+                                         {{"fps", shortest_text(sensor.fps)}});
     channels.camera = writer_.add_channel(camera, "/" + sensor.name + "/camera", kProtobuf);
     sensors_.push_back(std::move(channels));
   }

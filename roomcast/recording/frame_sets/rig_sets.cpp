@@ -24,7 +24,9 @@ class Track {
     if (!recording) return recording.error();
     auto registration = Registration::create(recording->description.calibration);
     if (!registration) return registration.error();
+    const nanoseconds start = recording->start;
     Track track(*std::move(recording), std::move(*registration));
+    track.start_ = start;
     if (auto status = track.advance(); !status) return status.error();
     return track;
   }
@@ -35,6 +37,8 @@ class Track {
   [[nodiscard]] bool ended() const { return ended_; }
   /// Of all its frames.
   [[nodiscard]] const std::vector<nanoseconds>& times() const { return times_; }
+  /// True time from which the tracks of a recording count, the same for all.
+  [[nodiscard]] nanoseconds start() const { return start_; }
   [[nodiscard]] nanoseconds time() const { return captured_.capture_time.time_since_epoch(); }
 
   /// Returns the frame that was read ahead, and reads the next.
@@ -66,6 +70,7 @@ class Track {
     return {};
   }
 
+  nanoseconds start_{};
   std::vector<nanoseconds> times_;
   std::unique_ptr<source::FrameSource> source_;
   Registration registration_;
@@ -87,6 +92,10 @@ class FolderSets final : public FrameSetReader {
 
   const std::vector<SetSensor>& sensors() const override { return sensors_; }
   nanoseconds length() const override { return {}; }
+  nanoseconds began_at() const override {
+    const nanoseconds start = tracks_.front().start();
+    return start > kEarliestUtc ? start : nanoseconds(0);
+  }
 
   std::optional<std::uint64_t> set_count() const override {
     // By instant: the sets' times. Frames of one track at the same instant are in different sets.

@@ -28,8 +28,8 @@ class BagStore final : public RosStore {
   [[nodiscard]] ros::Serialisation serialisation() const override {
     return ros::Serialisation::kRos1;
   }
-  [[nodiscard]] const std::vector<RosTopic>& topics() const override { return topics_; }
-  [[nodiscard]] const std::vector<RosMessage>& messages() const override { return messages_; }
+  [[nodiscard]] const std::vector<StoredTopic>& topics() const override { return topics_; }
+  [[nodiscard]] const std::vector<StoredMessage>& messages() const override { return messages_; }
   [[nodiscard]] Result<ros::ByteView> data(std::size_t message) override {
     return bag_.data(bag_.messages()[message]);
   }
@@ -37,8 +37,8 @@ class BagStore final : public RosStore {
 
  private:
   rosbag::Bag bag_;
-  std::vector<RosTopic> topics_;
-  std::vector<RosMessage> messages_;
+  std::vector<StoredTopic> topics_;
+  std::vector<StoredMessage> messages_;
 };
 
 }  // namespace

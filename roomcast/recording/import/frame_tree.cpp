@@ -42,4 +42,14 @@ std::optional<RigidTransform> FrameTree::between(const std::string& to,
   return std::nullopt;
 }
 
+std::optional<std::string> FrameTree::root_above(const std::string& frame) const {
+  std::string name = without_slash(frame);
+  for (std::size_t i = 0; i < kMaxChain; ++i) {
+    const auto link = links_.find(name);
+    if (link == links_.end()) return i > 0 ? std::optional(name) : std::nullopt;
+    name = link->second.parent;
+  }
+  return std::nullopt;
+}
+
 }  // namespace roomcast::recording

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FrameTree: the static coordinate frames of a ROS recording (/tf_static). Single-threaded.
+// FrameTree: the coordinate frames of a recording, as they are static: /tf_static of ROS.
+// Single-threaded.
 #pragma once
 
 #include <map>
@@ -19,6 +20,10 @@ class FrameTree {
   /// `to`_from_`from`; nothing if no chain of frames joins them.
   [[nodiscard]] std::optional<RigidTransform> between(const std::string& to,
                                                       const std::string& from) const;
+
+  /// The frame at the end of the chain of parents; nothing for a frame without a parent, or
+  /// in a loop.
+  [[nodiscard]] std::optional<std::string> root_above(const std::string& frame) const;
 
  private:
   struct Link {

@@ -25,12 +25,22 @@ TEST(FrameTree, joins_frames_over_their_common_ancestor) {
   EXPECT_FALSE(tree.between("color", "elsewhere"));
 }
 
+TEST(FrameTree, the_root_is_the_frame_without_a_parent) {
+  FrameTree tree;
+  tree.add("map", "/link", shifted(1, 0));
+  tree.add("link", "depth", shifted(0, 1));
+  EXPECT_EQ(tree.root_above("/depth"), "map");
+  EXPECT_FALSE(tree.root_above("map"));
+  EXPECT_FALSE(tree.root_above("alone"));
+}
+
 TEST(FrameTree, a_loop_ends) {
   FrameTree tree;
   tree.add("a", "b", shifted(1, 0));
   tree.add("b", "a", shifted(1, 0));
   EXPECT_TRUE(tree.between("a", "b"));
   EXPECT_FALSE(tree.between("a", "c"));
+  EXPECT_FALSE(tree.root_above("a"));
 }
 
 }  // namespace

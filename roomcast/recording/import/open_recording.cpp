@@ -12,6 +12,7 @@
 #include "roomcast/recording/bytes/byte_source.h"
 #include "roomcast/recording/import/azure_kinect_file.h"
 #include "roomcast/recording/import/cwipc_config.h"
+#include "roomcast/recording/import/foxglove_recording.h"
 #include "roomcast/recording/import/picture_folder.h"
 #include "roomcast/recording/import/placed_sensor_file.h"
 #include "roomcast/recording/import/record3d_file.h"
@@ -41,12 +42,14 @@ struct Kind {
   std::string_view magic;   // its files begin so
   std::string_view ending;  // and their names end so
   Open open;
+  bool (*accepts)(const fs::path&) = nullptr;  // where several kinds begin and end so
 };
 
-const std::array<Kind, 8> kKinds = {{
+const std::array<Kind, 9> kKinds = {{
     {"mkv", "\x1A\x45\xDF\xA3", "",
      [](const fs::path& p) { return alone(open_azure_kinect_file(p)); }},
     {"bag", "#ROSBAG V", "", open_ros1_bag},
+    {"foxglove", "\x89MCAP", "", open_foxglove_recording, is_foxglove_recording},
     {"ros2", "\x89MCAP", "", open_ros2_recording},
     {"ros2", "SQLite format 3", "", open_ros2_recording},
     {"sens", std::string_view("\4\0\0\0", 4), ".sens",
@@ -70,7 +73,8 @@ const Kind* kind_of_file(const fs::path& path) {
   if (!(*source)->read(0, std::span(start.data(), size))) return nullptr;
   const std::string_view text(reinterpret_cast<const char*>(start.data()), size);
   for (const Kind& kind : kKinds) {
-    if (!kind.magic.empty() && text.starts_with(kind.magic) && path.string().ends_with(kind.ending))
+    if (kind.magic.empty() || !text.starts_with(kind.magic)) continue;
+    if (path.string().ends_with(kind.ending) && (kind.accepts == nullptr || kind.accepts(path)))
       return &kind;
   }
   return nullptr;

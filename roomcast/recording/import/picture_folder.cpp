@@ -18,6 +18,7 @@
 #include "roomcast/io/camera_json.h"
 #include "roomcast/io/depth_values.h"
 #include "roomcast/io/image_file.h"
+#include "roomcast/recording/dataset/recording.h"
 #include "roomcast/recording/dataset/rig_json.h"
 #include "roomcast/recording/dataset/tum_list.h"
 #include "roomcast/recording/import/color_pairs.h"
@@ -236,8 +237,7 @@ Result<std::unique_ptr<SensorFile>> read_folder_sensor(const toml::table& table,
   info.description = {sensor_name(name, folder.string()), cameras->calibration, std::nullopt,
                       fps_of_gap(median_gap(info.times, kNominalGap))};
   info.has_color = !color.empty();
-  constexpr nanoseconds kFirstUtc = std::chrono::seconds(946'684'800);
-  if (info.times.front() > kFirstUtc) info.clock.utc_minus_device = nanoseconds(0);
+  if (info.times.front() > kEarliestUtc) info.clock.utc_minus_device = nanoseconds(0);
   return std::unique_ptr<SensorFile>(std::make_unique<PictureFolderSensor>(
       std::move(info), *cameras, *std::move(depth), std::move(color)));
 }

@@ -202,7 +202,7 @@ class Device {
 }  // namespace
 
 bool is_realsense(const RosStore& store) {
-  return std::ranges::any_of(store.topics(), [](const RosTopic& topic) {
+  return std::ranges::any_of(store.topics(), [](const StoredTopic& topic) {
     return topic.name.starts_with("/device_") && topic.name.ends_with("/image/data");
   });
 }

@@ -25,6 +25,13 @@ bool joined_by_cable(const Sensors& sensors) {
   return std::ranges::all_of(sensors, on_cable) && std::ranges::count_if(sensors, primary) <= 1;
 }
 
+bool in_one_recording(const Sensors& sensors) {
+  const std::string& recording = sensors.front()->clock.recording;
+  return !recording.empty() && std::ranges::all_of(sensors, [&](const SensorFileInfo* s) {
+    return s->clock.recording == recording;
+  });
+}
+
 const SensorFileInfo* without_utc(const Sensors& sensors) {
   const auto found = std::ranges::find_if(
       sensors, [](const SensorFileInfo* s) { return !s->clock.utc_minus_device; });
@@ -59,13 +66,15 @@ Result<JoiningClock> choose(const Sensors& sensors, JoiningClock wanted) {
   if (wanted != JoiningClock::kAutomatic) return wanted;
   if (sensors.size() == 1) return JoiningClock::kStart;
   if (cable) return JoiningClock::kCable;
-  return timeless == nullptr ? JoiningClock::kTimeOfDay : JoiningClock::kStart;
+  if (timeless == nullptr) return JoiningClock::kTimeOfDay;
+  return in_one_recording(sensors) ? JoiningClock::kRecording : JoiningClock::kStart;
 }
 
 std::string explain(JoiningClock clock, const Sensors& sensors) {
   if (sensors.size() == 1) return "the sensor's own clock";
   if (clock == JoiningClock::kCable) return "the cameras' own clocks, which a sync cable joined";
   if (clock == JoiningClock::kTimeOfDay) return time_of_day_text(largest_utc_error(sensors));
+  if (clock == JoiningClock::kRecording) return "the clock of the recording that they are in";
   return "their first frames, put at the same instant";
 }
 

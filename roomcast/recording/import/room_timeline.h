@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Puts the clocks of several recorded sensors on one timeline, so that recordings of one event play
 // as one room. Device times of cameras that a sync cable joined are of one clock; others are joined
-// by the time of day that their files state; if none does, their first frames are put at one
-// instant. Thread-safe (no state).
+// by the time of day that their files state, or by the clock of the recording that they are all in;
+// if there is none, their first frames are put at one instant. Thread-safe (no state).
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace roomcast::recording {
 
-enum class JoiningClock { kAutomatic, kCable, kTimeOfDay, kStart };
+enum class JoiningClock { kAutomatic, kCable, kTimeOfDay, kRecording, kStart };
 
 struct RoomTimeline {
   JoiningClock clock = JoiningClock::kStart;  // what joined them, never kAutomatic

@@ -63,6 +63,17 @@ TEST(RoomTimeline, without_any_common_clock_they_begin_together) {
   EXPECT_EQ(b.times[0] - line->clock_offsets[1], a.times[0] - line->clock_offsets[0]);
 }
 
+TEST(RoomTimeline, sensors_of_one_recording_keep_its_clock) {
+  SensorFileInfo a = sensor("a", 0, 11), b = sensor("b", 40, 11);
+  a.clock.recording = b.clock.recording = "room.mcap";
+  const auto line = join_clocks({&a, &b});
+  ASSERT_TRUE(line.ok());
+  EXPECT_EQ(line->clock, JoiningClock::kRecording);
+  EXPECT_THAT(line->clock_offsets, testing::ElementsAre(nanoseconds(0), nanoseconds(0)));
+  b.clock.recording = "other.mcap";
+  EXPECT_EQ(join_clocks({&a, &b})->clock, JoiningClock::kStart);
+}
+
 TEST(RoomTimeline, a_clock_that_is_not_there_and_recordings_of_different_days_are_refused) {
   SensorFileInfo a = sensor("a", 0, 11), b = sensor("b", 0, 11);
   EXPECT_EQ(join_clocks({&a, &b}, JoiningClock::kCable).error().code, ErrorCode::kInvalidArgument);

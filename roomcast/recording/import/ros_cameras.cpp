@@ -7,16 +7,17 @@
 #include <string_view>
 #include <utility>
 
+#include "roomcast/recording/dataset/recording.h"
 #include "roomcast/recording/import/color_pairs.h"
 #include "roomcast/recording/import/frame_tree.h"
 #include "roomcast/recording/import/ros_lens.h"
 #include "roomcast/recording/import/ros_sensor_file.h"
 #include "roomcast/recording/import/sensor_name.h"
+#include "roomcast/recording/import/topic_name.h"
 
 namespace roomcast::recording {
 namespace {
 
-constexpr nanoseconds kYear2000 = std::chrono::seconds(946'684'800);
 constexpr nanoseconds kReceivingError = std::chrono::milliseconds(100);
 constexpr std::size_t kMaxStreams = 256;
 
@@ -37,15 +38,6 @@ struct Stream {
 
 std::string base_of(const std::string& topic, bool is_compressed) {
   return is_compressed ? topic.substr(0, topic.rfind('/')) : topic;
-}
-
-std::size_t common_parts(const std::string& a, const std::string& b) {
-  std::size_t parts = 0;
-  for (std::size_t i = 1; i <= std::min(a.size(), b.size()) && a[i - 1] == b[i - 1]; ++i) {
-    const bool ends_a = i == a.size() || a[i] == '/', ends_b = i == b.size() || b[i] == '/';
-    if (ends_a && ends_b) ++parts;
-  }
-  return parts;
 }
 
 class Finder {
@@ -103,7 +95,7 @@ class Finder {
 
   void find_streams() {
     for (std::size_t t = 0; t < store_->topics().size() && streams_.size() < kMaxStreams; ++t) {
-      const RosTopic& topic = store_->topics()[t];
+      const StoredTopic& topic = store_->topics()[t];
       const bool is_compressed = topic.type == "sensor_msgs/CompressedImage";
       if ((!is_compressed && topic.type != "sensor_msgs/Image") || !first_[t]) continue;
       const auto data = store_->data(*first_[t]);
@@ -131,8 +123,8 @@ class Finder {
   }
 
   [[nodiscard]] std::optional<ros::CameraInfoMessage> camera_info_of(const std::string& topic) {
-    const std::string wanted = topic.substr(0, topic.rfind('/')) + "/camera_info";
-    const auto found = std::ranges::find(store_->topics(), wanted, &RosTopic::name);
+    const std::string wanted = topic_above(topic) + "/camera_info";
+    const auto found = std::ranges::find(store_->topics(), wanted, &StoredTopic::name);
     if (found == store_->topics().end()) return std::nullopt;
     const auto first = first_[static_cast<std::size_t>(found - store_->topics().begin())];
     if (!first) return std::nullopt;
@@ -156,7 +148,7 @@ class Finder {
       if (stream.kind != RosPictureKind::kColor || !stream.info) continue;
       ++colors;
       const bool is_grey = stream.topic.find("mono") != std::string::npos;
-      const std::pair<std::size_t, int> rank{common_parts(stream.topic, depth.topic),
+      const std::pair<std::size_t, int> rank{common_topic_parts(stream.topic, depth.topic),
                                              (is_grey ? 0 : 2) + (stream.is_compressed ? 0 : 1)};
       if (rank > best_rank) best = &stream, best_rank = rank;
     }
@@ -175,13 +167,14 @@ class Finder {
     return 2 * rank + (depth.is_compressed ? 0 : 1);
   }
 
-  [[nodiscard]] static SensorClock ros_clock(const RosStore& store, const RosStream& depth) {
+  [[nodiscard]] SensorClock ros_clock(const RosStore& store, const RosStream& depth) const {
     SensorClock clock;
+    clock.recording = name_;
     const nanoseconds stamp = depth.stamps.front();
     const nanoseconds recorded = store.messages()[depth.messages.front()].time;
-    if (stamp > kYear2000) {
+    if (stamp > kEarliestUtc) {
       clock.utc_minus_device = nanoseconds(0);
-    } else if (recorded > kYear2000 && recorded < kMaxRosTime) {
+    } else if (recorded > kEarliestUtc && recorded < kLatestStamp) {
       clock.utc_minus_device = recorded - stamp;
       clock.utc_error = kReceivingError;
     }

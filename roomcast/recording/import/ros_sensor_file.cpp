@@ -118,7 +118,7 @@ Result<RosStream> read_ros_stream(RosStore& store, std::uint32_t topic) {
     }
     const nanoseconds recorded = store.messages()[i].time;
     const nanoseconds stamp = header.stamp.count() > 0 ? header.stamp : recorded;
-    if (stamp.count() >= 0 && stamp < kMaxRosTime) stamped.push_back({stamp, i});
+    if (stamp.count() >= 0 && stamp < kLatestStamp) stamped.push_back({stamp, i});
   }
   if (stamped.empty()) return last;
   std::ranges::stable_sort(stamped, {}, &Stamped::stamp);

@@ -25,6 +25,8 @@ struct SensorClock {
   nanoseconds utc_error{};
   /// A sync cable joined the sensor to others: their device times are of one clock.
   bool is_cable_primary = false, is_cable_secondary = false;
+  /// The device times of all sensors with the same text here, which is not empty, are of one clock.
+  std::string recording = {};
 };
 
 struct SensorFileInfo {

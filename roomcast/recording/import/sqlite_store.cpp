@@ -63,8 +63,8 @@ class SqliteStore final : public RosStore {
   [[nodiscard]] ros::Serialisation serialisation() const override {
     return ros::Serialisation::kRos2;
   }
-  [[nodiscard]] const std::vector<RosTopic>& topics() const override { return topics_; }
-  [[nodiscard]] const std::vector<RosMessage>& messages() const override { return messages_; }
+  [[nodiscard]] const std::vector<StoredTopic>& topics() const override { return topics_; }
+  [[nodiscard]] const std::vector<StoredMessage>& messages() const override { return messages_; }
   [[nodiscard]] Result<ros::ByteView> data(std::size_t message) override {
     sqlite3_reset(read_.get());
     sqlite3_bind_int64(read_.get(), 1, ids_[message]);
@@ -84,8 +84,8 @@ class SqliteStore final : public RosStore {
   }
 
   Database database_;
-  std::vector<RosTopic> topics_;
-  std::vector<RosMessage> messages_;
+  std::vector<StoredTopic> topics_;
+  std::vector<StoredMessage> messages_;
   std::vector<std::int64_t> ids_;
   Statement read_;
   std::optional<std::string> damage_;
