@@ -48,8 +48,8 @@ FrameSet set_at(int number) {
     pictures->color_seen = MaskImage(64, 48, 255);
     const nanoseconds time(33'366'701LL * number + 1'000'003LL * static_cast<int>(i));
     RigidTransform pose = wall_pose(i);
-    pose.rotation = Eigen::AngleAxisd(0.3 + static_cast<double>(i), Eigen::Vector3d::UnitY()) *
-                    pose.rotation;
+    pose.rotation =
+        Eigen::AngleAxisd(0.3 + static_cast<double>(i), Eigen::Vector3d::UnitY()) * pose.rotation;
     set.frames.push_back({i, std::move(pictures), pose, time});
     set.time = std::max(set.time, time);
   }

@@ -59,12 +59,8 @@ FoxgloveReader::~FoxgloveReader() = default;
 std::optional<ros::ImageMessage> FoxgloveReader::raw_image(ros::ByteView message) {
   foxglove::RawImage& image = parsed_->image;
   if (!wire::parse_message(message, image)) return std::nullopt;
-  return ros::ImageMessage{header_of(image),
-                           image.width(),
-                           image.height(),
-                           image.encoding(),
-                           false,
-                           image.step(),
+  return ros::ImageMessage{header_of(image),     image.width(), image.height(),
+                           image.encoding(),     false,         image.step(),
                            view_of(image.data())};
 }
 

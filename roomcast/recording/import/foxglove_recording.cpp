@@ -147,11 +147,11 @@ class FoxgloveCameras {
     FoxgloveCameraParts parts;
     SensorFileInfo& info = parts.info;
     info.times = depth.stamps;
-    info.description = {name_of_camera(depth, name_),
-                        {lens->camera, lens->camera, {}, true},
-                        std::nullopt,
-                        depth.fps > 0 ? depth.fps
-                                      : fps_of_gap(median_gap(info.times, kNominalGap))};
+    info.description = {
+        name_of_camera(depth, name_),
+        {lens->camera, lens->camera, {}, true},
+        std::nullopt,
+        depth.fps > 0 ? depth.fps : fps_of_gap(median_gap(info.times, kNominalGap))};
     info.clock = clock_of(depth);
     info.has_color = false;
     parts.color_of_depth.resize(info.times.size());
@@ -204,8 +204,9 @@ class FoxgloveCameras {
     const auto root = all_.frames.root_above(depth.frame_id);
     if (!root) return;
     if (!has_one_world_) {
-      info.notes.push_back("where it is is left out, because the frames of its cameras do not "
-                           "lead to one root");
+      info.notes.push_back(
+          "where it is is left out, because the frames of its cameras do not "
+          "lead to one root");
       return;
     }
     const auto root_from_depth = all_.frames.between(*root, depth.frame_id);

@@ -25,10 +25,9 @@ class FoxgloveSensorFile final : public SensorFile {
 
   [[nodiscard]] Status read_depth(std::size_t frame, DepthImage& depth_mm) override {
     const CameraIntrinsics& camera = parts_.info.description.calibration.depth;
-    return named(
-        decode(parts_.depth, frame, [&](const auto& image) -> Status {
-          return decoder_.depth(image, camera.width, camera.height, depth_mm);
-        }));
+    return named(decode(parts_.depth, frame, [&](const auto& image) -> Status {
+      return decoder_.depth(image, camera.width, camera.height, depth_mm);
+    }));
   }
 
   [[nodiscard]] Status read_color(std::size_t frame, ColorImage& color) override {

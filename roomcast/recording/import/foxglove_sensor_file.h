@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FoxgloveSensorFile: one camera in a recording of Foxglove's schemas. Sensors of the same recording
-// share its store, so all of them are used by one thread. Single-threaded.
+// FoxgloveSensorFile: one camera in a recording of Foxglove's schemas. Sensors of the same
+// recording share its store, so all of them are used by one thread. Single-threaded.
 #pragma once
 
 #include <memory>

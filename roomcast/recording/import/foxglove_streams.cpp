@@ -107,8 +107,7 @@ class StreamFinder {
     stream.pictures = FoxglovePictures::kRaw;
     stream.encoding = image->encoding;
     stream.width = image->width, stream.height = image->height;
-    stream.is_depth =
-        kind_of_encoding(image->encoding, stream.topic) == RosPictureKind::kDepth;
+    stream.is_depth = kind_of_encoding(image->encoding, stream.topic) == RosPictureKind::kDepth;
   }
 
   void take_compressed(std::size_t message, ros::ByteView data, FoxgloveStream& stream) {

@@ -35,9 +35,9 @@ struct FoxgloveStream {
 struct FoxgloveStreams {
   std::vector<FoxgloveStream> streams;                         // with at least one picture each
   std::map<std::string, ros::CameraInfoMessage> calibrations;  // by topic: the first of each
-  FrameTree frames;               // with the last transform of each frame
-  std::set<std::string> moved;    // frames whose transforms differ
-  bool z_is_up = true;            // in the root frame
+  FrameTree frames;             // with the last transform of each frame
+  std::set<std::string> moved;  // frames whose transforms differ
+  bool z_is_up = true;          // in the root frame
 };
 
 /// Messages that cannot be read are left out.

@@ -11,8 +11,8 @@ namespace roomcast::recording {
 
 inline constexpr const char* kProtobufEncoding = "protobuf";  // of a channel, as MCAP names it
 
-/// Errors of mcap::Reader::open, and kUnsupported: no messages in Protobuf; kTooLarge. Messages name
-/// the file.
+/// Errors of mcap::Reader::open, and kUnsupported: no messages in Protobuf; kTooLarge. Messages
+/// name the file.
 [[nodiscard]] Result<std::shared_ptr<MessageStore>> open_protobuf_store(
     const std::filesystem::path& path);
 

@@ -27,6 +27,12 @@ class CdrWriter {
   /// next call.
   std::span<std::uint8_t> bytes(std::size_t size);
 
+  /// Part of an array of bytes, whose length was written as u32 before its first part.
+  CdrWriter& part(std::span<const std::uint8_t> bytes) {
+    out_.insert(out_.end(), bytes.begin(), bytes.end());
+    return *this;
+  }
+
   /// The message, filled up to a multiple of four bytes as DDS sends it.
   [[nodiscard]] std::vector<std::uint8_t> done();
 

@@ -29,6 +29,8 @@ TEST(CdrWriter, what_it_writes_is_read_back) {
   CdrWriter writer(100);
   writer.header(stamp, "optical").f64(-2.5);
   std::ranges::fill(writer.bytes(3), 42);
+  const std::vector<std::uint8_t> rows = {1, 2, 3, 4};
+  writer.u32(4).part(std::span(rows).first(2)).part(std::span(rows).last(2));
   const auto message = writer.u8(1).done();
   EXPECT_EQ(message.size() % 4, 0u);
   MessageReader reader(message, Serialisation::kRos2);
@@ -37,6 +39,7 @@ TEST(CdrWriter, what_it_writes_is_read_back) {
   EXPECT_EQ(header.frame_id, "optical");
   EXPECT_EQ(reader.f64(), -2.5);
   EXPECT_THAT(reader.bytes(), testing::ElementsAre(42, 42, 42));
+  EXPECT_THAT(reader.bytes(), testing::ElementsAre(1, 2, 3, 4));
   EXPECT_EQ(reader.u8(), 1);
   EXPECT_TRUE(reader.ok());
 }

@@ -29,10 +29,10 @@ Bytes image(ImageView<const Pixel> picture, std::string_view encoding, std::stri
       .u32(static_cast<std::uint64_t>(picture.width))
       .text(encoding)
       .u8(0)  // little-endian
-      .u32(row_bytes);
-  std::uint8_t* at = message.bytes(size).data();
-  for (int y = 0; y < picture.height; ++y, at += row_bytes)
-    std::memcpy(at, picture.row(y), row_bytes);
+      .u32(row_bytes)
+      .u32(size);
+  for (int y = 0; y < picture.height; ++y)
+    message.part({reinterpret_cast<const std::uint8_t*>(picture.row(y)), row_bytes});
   return message.done();
 }
 

@@ -85,21 +85,25 @@ Status RoomTopics::set_sensors(const std::vector<SetSensor>& sensors) {
   });
   if (same && merged_) return {};
   sensors_ = sensors;
+  bool others = merged_ == nullptr;
   merged_ = std::make_unique<recording::MergedCloud>(sensors, options_.cloud);
-  std::erase_if(topics_, [&](const auto& known) {
+  const std::size_t gone = std::erase_if(topics_, [&](const auto& known) {
     return std::ranges::find(sensors, known.first, &SetSensor::name) == sensors.end();
   });
+  others = others || gone > 0;
   for (const SetSensor& sensor : sensors) {
     if (!topics_.contains(sensor.name)) {
       auto topics = new_topics(sensor.name);
       if (!topics) return topics.error();
       topics_.emplace(sensor.name, *std::move(topics));
+      others = true;
     }
     SensorTopics& topics = topics_.at(sensor.name);
     if (topics.camera == sensor.depth) continue;
     topics.camera = sensor.depth;
     topics.rays = ray_table(sensor.depth);
   }
+  changes_ += others ? 1 : 0;
   return {};
 }
 

@@ -9,6 +9,7 @@
 // reads is made. Single-threaded.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -41,6 +42,8 @@ class RoomTopics {
 
   /// The sensors of the room from now on.
   [[nodiscard]] Status set_sensors(const std::vector<recording::SetSensor>& sensors);
+  /// How often names() has changed, the first ones included.
+  [[nodiscard]] std::uint64_t changes() const { return changes_; }
   /// Names of the topics, sorted.
   [[nodiscard]] std::vector<std::string> names() const;
 
@@ -71,6 +74,7 @@ class RoomTopics {
   const RoomTopicsOptions options_;
   std::unique_ptr<Writer> points_, transforms_;
   std::vector<recording::SetSensor> sensors_;
+  std::uint64_t changes_ = 0;
   std::map<std::string, SensorTopics> topics_;  // by the sensor's name
   std::vector<FramePose> poses_;                // as published
   std::unique_ptr<recording::MergedCloud> merged_;

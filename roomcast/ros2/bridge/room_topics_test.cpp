@@ -46,6 +46,19 @@ TEST_F(Ros2RoomTopics, a_room_has_its_cloud_its_poses_and_five_topics_for_each_s
                            "/roomcast/points", "/tf_static"));
 }
 
+TEST_F(Ros2RoomTopics, changes_are_counted_where_names_change) {
+  const std::uint64_t begin = topics->changes();
+  auto sensors = recording::wall_sensors();
+  sensors[0].depth.fx += 1;
+  ASSERT_TRUE(topics->set_sensors(sensors).ok());
+  EXPECT_EQ(topics->changes(), begin) << "another lens";
+  sensors.pop_back();
+  ASSERT_TRUE(topics->set_sensors(sensors).ok());
+  EXPECT_EQ(topics->changes(), begin + 1);
+  ASSERT_TRUE(topics->set_sensors(recording::wall_sensors()).ok());
+  EXPECT_EQ(topics->changes(), begin + 2);
+}
+
 TEST_F(Ros2RoomTopics, pictures_and_cameras_are_those_of_the_set) {
   const auto depths = reader("/roomcast/near/depth/image_raw", "sensor_msgs/msg/Image");
   const auto infos = reader("/roomcast/near/depth/camera_info", "sensor_msgs/msg/CameraInfo");
