@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "roomcast/io/file_bytes.h"
+#include "roomcast/io/image_file.h"
 #include "roomcast/recording/dataset/tum_list.h"
 
 namespace roomcast::recording {
@@ -50,9 +51,19 @@ Status FolderWriter::add_frame(const SetFrame& frame) {
   last.next_index = captured_.index + 1;
   captured_.depth_mm = frame.pictures->depth_mm;
   captured_.color = frame.pictures->color;
-  if (auto status = writer_->add(frame.sensor, captured_, began_at_ + frame.time); !status)
-    return status;
+  if (auto status = write_pictures(frame); !status) return status;
   return groundtruth_ && frame.world_from_depth ? add_pose(frame) : Status();
+}
+
+/// Colour that is a JPEG file in the depth grid already stays byte for byte as it is.
+Status FolderWriter::write_pictures(const SetFrame& frame) {
+  const nanoseconds timestamp = began_at_ + frame.time;
+  const bool is_jpeg = !captured_.color.empty() && !frame.color_file.empty() &&
+                       io::read_file(frame.color_file, io::kMaxImageFileBytes, jpeg_).ok() &&
+                       jpeg_.size() > 2 && jpeg_[0] == 0xFF && jpeg_[1] == 0xD8;
+  if (!is_jpeg) return writer_->add(frame.sensor, captured_, timestamp);
+  if (auto status = writer_->write_pictures(frame.sensor, captured_, jpeg_); !status) return status;
+  return writer_->list(frame.sensor, captured_.index, true, timestamp);
 }
 
 Status FolderWriter::add_pose(const SetFrame& frame) const {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exports frame sets as a rig folder (dataset/rig_json.h) of picture files, colour in the depth
-// grid. Timestamps are UTC, seconds since 1970, where the recording tells its date; else they count
-// from its begin. On request each sensor's folder also gets
-// groundtruth.txt (TUM RGB-D benchmark: t tx ty tz qx qy qz qw, world from camera).
-// Single-threaded.
+// grid; JPEG files that have it so already are copied. Timestamps are UTC, seconds since 1970,
+// where the recording tells its date; else they count from its begin. On request each sensor's
+// folder also gets groundtruth.txt (TUM RGB-D benchmark: t tx ty tz qx qy qz qw, world from
+// camera). Single-threaded.
 #pragma once
 
 #include <filesystem>
@@ -37,6 +37,7 @@ class FolderWriter final : public SetWriter {
   };
   Status create(const FrameSet& set);
   Status add_frame(const SetFrame& frame);
+  Status write_pictures(const SetFrame& frame);
   Status add_pose(const SetFrame& frame) const;
 
   const std::filesystem::path folder_;
@@ -46,7 +47,8 @@ class FolderWriter final : public SetWriter {
   const bool groundtruth_;
   double fps_ = 0;
   std::optional<RigWriter> writer_;
-  source::CapturedFrame captured_;
+  source::CapturedFrame captured_;  // reused
+  std::vector<std::uint8_t> jpeg_;  // reused
   ExportTotals totals_;
 };
 

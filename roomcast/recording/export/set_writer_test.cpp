@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/core/temporary_folder.h"
+#include "roomcast/recording/dataset/recording_fixture.h"
 #include "roomcast/recording/dataset/tum_list.h"
 #include "roomcast/recording/export/cloud_files.h"
 #include "roomcast/recording/export/folder_writer.h"
@@ -71,6 +72,35 @@ TEST_F(SetWriterTest, a_rig_is_read_again_as_it_was) {
   ASSERT_EQ(set.frames.size(), 2u);
   EXPECT_EQ(set.frames[1].pictures->depth_mm, wall_set().frames[1].pictures->depth_mm);
   EXPECT_EQ(set.frames[1].world_from_depth->translation_m, wall_pose(1).translation_m);
+}
+
+std::map<std::string, std::string> files_below(const std::filesystem::path& top) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(top)) {
+    if (entry.is_regular_file())
+      files[entry.path().lexically_relative(top).string()] = text_of(entry.path());
+  }
+  return files;
+}
+
+void export_tum(const std::filesystem::path& from, const std::filesystem::path& to) {
+  auto reader = open_frame_sets(from);
+  ASSERT_TRUE(reader.ok()) << reader.error().message;
+  const ExportedRoom room = {(*reader)->sensors(), (*reader)->began_at()};
+  auto writer = make_set_writer(ExportFormat::kTum, to, room, {});
+  ASSERT_TRUE(writer.ok()) << writer.error().message;
+  FrameSet set;
+  while (*(*reader)->next(set)) ASSERT_TRUE((*writer)->add(set).ok());
+  ASSERT_TRUE((*writer)->finish().ok());
+}
+
+TEST_F(SetWriterTest, a_folder_that_was_exported_is_exported_again_byte_for_byte) {
+  export_tum(write_small_rig(folder), folder / "first");
+  export_tum(folder / "first", folder / "second");
+  const auto first = files_below(folder / "first"), second = files_below(folder / "second");
+  EXPECT_TRUE(first.contains("s1/rgb/000004.jpg"));
+  ASSERT_EQ(first.size(), second.size());
+  for (const auto& [path, bytes] : first) EXPECT_TRUE(second.at(path) == bytes) << path;
 }
 
 TEST_F(SetWriterTest, a_folder_keeps_the_date_of_its_frames) {

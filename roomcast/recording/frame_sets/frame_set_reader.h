@@ -33,6 +33,8 @@ struct SetFrame {
   std::shared_ptr<const codec::DecodedFrame> pictures;  // never null
   std::optional<RigidTransform> world_from_depth;       // nothing: the sensor is unplaced
   nanoseconds time{};                                   // as FrameSet::time
+  /// The file of the colour, where a folder has it in the depth grid; else empty.
+  std::filesystem::path color_file = {};
 };
 
 struct FrameSet {

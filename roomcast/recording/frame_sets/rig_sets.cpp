@@ -39,6 +39,11 @@ class Track {
   [[nodiscard]] const std::vector<nanoseconds>& times() const { return times_; }
   /// True time from which the tracks of a recording count, the same for all.
   [[nodiscard]] nanoseconds start() const { return start_; }
+  /// The next frame's colour, if it is in the depth grid as it was recorded; else empty.
+  [[nodiscard]] std::filesystem::path color_file() const {
+    const auto found = color_files_.find(captured_.index);
+    return found == color_files_.end() ? std::filesystem::path() : found->second;
+  }
   [[nodiscard]] nanoseconds time() const { return captured_.capture_time.time_since_epoch(); }
 
   /// Returns the frame that was read ahead, and reads the next.
@@ -59,8 +64,11 @@ class Track {
  private:
   Track(Recording recording, Registration registration) : registration_(std::move(registration)) {
     constexpr source::PlaybackOptions kOnce{.pace = source::Pace::kAsFastAsPossible, .loop = false};
-    for (const RecordedFrame& frame : recording.frames)
+    const bool is_in_grid = recording.description.calibration.color_is_registered;
+    for (const RecordedFrame& frame : recording.frames) {
       times_.push_back(frame.true_time - recording.start);
+      if (is_in_grid && !frame.color.empty()) color_files_[frame.index] = frame.color;
+    }
     source_ = std::make_unique<RecordingSource>(std::move(recording), kOnce, HostTime());
   }
   Status advance() {
@@ -72,6 +80,7 @@ class Track {
 
   nanoseconds start_{};
   std::vector<nanoseconds> times_;
+  std::map<std::uint64_t, std::filesystem::path> color_files_;  // by the number of the frame
   std::unique_ptr<source::FrameSource> source_;
   Registration registration_;
   RegisteredColor registered_;
@@ -148,9 +157,11 @@ class FolderSets final : public FrameSetReader {
       Track& track = tracks_[i];
       if (track.ended() || instant_of(track.time()) != instant) continue;
       const nanoseconds taken = track.time();
+      const std::filesystem::path color_file = track.color_file();
       auto pictures = track.take();
       if (!pictures) return pictures.error();
-      newest_[i] = {i, std::move(*pictures), track.description().world_from_depth, taken};
+      newest_[i] = {i, std::move(*pictures), track.description().world_from_depth, taken,
+                    color_file};
       time = std::max(time, taken);
     }
     return time;
