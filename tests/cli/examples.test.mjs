@@ -74,6 +74,15 @@ test('c_examples_are_short_enough_to_read', () => {
   for (const name of ['sensor.c', 'read.c', 'people.c']) assert.ok(readFileSync(join(examples, name), 'utf8').trimEnd().split('\n').length < 40, name);
 });
 
+test('the_first_programs_of_the_guides_are_short_and_as_long_as_they_say', () => {
+  for (const [guide, name] of [['python.md', 'python/save_live_points.py'], ['c-api.md', 'sensor.c'], ['csharp.md', 'csharp/CountFrames.cs']]) {
+    const lines = readFileSync(join(examples, name), 'utf8').trimEnd().split('\n').length;
+    assert.ok(lines < 40, name);
+    const text = readFileSync(join(examples, '../docs/guides', guide), 'utf8');
+    assert.ok(text.includes(`](../../examples/${name})`) && text.includes(`in ${lines} lines`), guide);
+  }
+});
+
 test('cpp_example_records_the_room', { skip }, async (t) => {
   const hub = await startRoom(t);
   const file = join(scratchFolder(t), 'room.mcap');
