@@ -100,6 +100,10 @@ test('frames_that_were_played_and_recorded_again_are_the_same_bit_for_bit', asyn
   }
 });
 
+test('a_recording_is_exported_and_not_imported', async (t) => {
+  assertFailed(await run('import', recording, join(scratchFolder(t), 'rig')), 1, /is a recording of roomcast itself; make a rig of it by roomcast export --format rig/);
+});
+
 test('a_recorder_that_is_killed_loses_no_more_than_the_last_second', async (t) => {
   const hub = await startRoom(t);
   const file = join(scratchFolder(t), 'killed.mcap');

@@ -18,6 +18,7 @@
 #include "roomcast/recording/import/record3d_file.h"
 #include "roomcast/recording/import/ros_recording.h"
 #include "roomcast/recording/import/scannet_file.h"
+#include "roomcast/recording/playback/replay_source.h"
 
 namespace roomcast::recording {
 namespace {
@@ -85,6 +86,25 @@ Error no_format(const fs::path& path) {
           path.string() +
               " is in no format that roomcast imports (docs/guides/recordings.md lists "
               "them)"};
+}
+
+/// What roomcast wrote itself is no recording of another program; the error says what to do.
+Error own_format(const fs::path& path, Error otherwise) {
+  std::error_code ignored;
+  if (fs::exists(path / "rig.json", ignored) || fs::exists(path / "depth.txt", ignored))
+    return {ErrorCode::kUnsupported, path.string() + " is a rig or a TUM folder already"};
+  if (fs::is_regular_file(path, ignored) && replay_sensor_names(path).ok())
+    return {ErrorCode::kUnsupported, path.string() +
+                                         " is a recording of roomcast itself; make a rig of it by "
+                                         "roomcast export --format rig"};
+  return otherwise;
+}
+
+Result<SensorFiles> open_as(const Kind& kind, const fs::path& path) {
+  auto files = kind.open(path);
+  if (!files && files.error().code == ErrorCode::kUnsupported)
+    return own_format(path, files.error());
+  return files;
 }
 
 Result<std::vector<fs::path>> files_in(const fs::path& folder) {
@@ -157,11 +177,11 @@ Result<SensorFiles> open_folder(const fs::path& folder) {
   for (const fs::path& path : *paths) {
     const Kind* const kind = kind_of_file(path);
     if (kind == nullptr) continue;
-    auto files = kind->open(path);
+    auto files = open_as(*kind, path);
     if (!files) return files.error();
     std::ranges::move(*files, std::back_inserter(all));
   }
-  if (all.empty()) return no_format(folder);
+  if (all.empty()) return own_format(folder, no_format(folder));
   return all;
 }
 
@@ -209,7 +229,7 @@ Result<SensorFiles> open_any(const fs::path& path) {
     return Error{ErrorCode::kNotFound, path.string() + " does not exist"};
   if (fs::is_directory(path, ignored)) return open_folder(path);
   const Kind* const kind = kind_of_file(path);
-  return kind != nullptr ? kind->open(path) : Result<SensorFiles>(no_format(path));
+  return kind != nullptr ? open_as(*kind, path) : Result<SensorFiles>(no_format(path));
 }
 
 }  // namespace roomcast::recording

@@ -35,7 +35,7 @@ using SensorFiles = std::vector<std::unique_ptr<SensorFile>>;
 
 /// All sensors in a file or folder whose kind its content tells; of a folder that is no recording
 /// itself, those of all recordings in it, by name. Names are unique. Errors as above; kUnsupported
-/// if no format is recognised.
+/// if no format is recognised, or if it is roomcast's own.
 [[nodiscard]] Result<SensorFiles> open_any(const std::filesystem::path& path);
 
 }  // namespace roomcast::recording

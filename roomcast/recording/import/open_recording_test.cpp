@@ -82,6 +82,14 @@ TEST(OpenRecording, a_folder_of_cwipc_gives_sensors_where_they_are) {
               testing::HasSubstr("has a camera \"5\" without a recording beside it"));
 }
 
+TEST(OpenRecording, a_rig_need_not_be_imported) {
+  const TemporaryFolder folder;
+  const auto files = open_any(write_small_rig(folder, 1));
+  ASSERT_FALSE(files.ok());
+  EXPECT_EQ(files.error().code, ErrorCode::kUnsupported);
+  EXPECT_THAT(files.error().message, testing::HasSubstr("is a rig or a TUM folder already"));
+}
+
 TEST(OpenRecording, what_is_no_recording_is_refused) {
   const TemporaryFolder folder;
   put_text(folder / "a.txt", "text");
