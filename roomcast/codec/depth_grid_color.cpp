@@ -11,17 +11,16 @@ namespace roomcast::codec {
 
 namespace {
 
+std::uint8_t mean_of(unsigned a, unsigned b, unsigned c, unsigned d) {
+  return static_cast<std::uint8_t>((a + b + c + d + 2) / 4);
+}
+
 /// The mean of each 2x2 pixels of two rows, channel by channel.
 void halve(const Rgb8* upper, const Rgb8* lower, int width, Rgb8* out) {
-  static_assert(sizeof(Rgb8) == 3);
-  const auto* a = reinterpret_cast<const std::uint8_t*>(upper);
-  const auto* b = reinterpret_cast<const std::uint8_t*>(lower);
-  auto* mean = reinterpret_cast<std::uint8_t*>(out);
-  for (int x = 0; x < width; ++x, a += 6, b += 6, mean += 3) {
-    for (int channel = 0; channel < 3; ++channel) {
-      mean[channel] = static_cast<std::uint8_t>(
-          (a[channel] + a[channel + 3] + b[channel] + b[channel + 3] + 2) / 4);
-    }
+  for (int x = 0; x < width; ++x, upper += 2, lower += 2) {
+    const Rgb8 a = upper[0], b = upper[1], c = lower[0], d = lower[1];
+    out[x] = {mean_of(a.r, b.r, c.r, d.r), mean_of(a.g, b.g, c.g, d.g),
+              mean_of(a.b, b.b, c.b, d.b)};
   }
 }
 
