@@ -18,10 +18,15 @@ Result<FrameLoop> FrameLoop::capture(source::FrameSource& source, int frame_coun
   return FrameLoop(std::move(frames));
 }
 
-const source::CapturedFrame& FrameLoop::at(std::int64_t place) const {
-  const auto last = static_cast<std::int64_t>(frames_.size()) - 1;
+std::int64_t frame_at_place(std::int64_t place, std::int64_t count) {
+  const std::int64_t last = count - 1;
   const std::int64_t phase = last > 0 ? place % (2 * last) : 0;
-  return frames_[static_cast<std::size_t>(std::min(phase, 2 * last - phase))];
+  return std::min(phase, 2 * last - phase);
+}
+
+const source::CapturedFrame& FrameLoop::at(std::int64_t place) const {
+  const auto count = static_cast<std::int64_t>(frames_.size());
+  return frames_[static_cast<std::size_t>(frame_at_place(place, count))];
 }
 
 }  // namespace roomcast::bench

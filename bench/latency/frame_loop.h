@@ -12,14 +12,17 @@
 
 namespace roomcast::bench {
 
+/// Which of `count` frames comes at this place (0 or above) of the endless sequence: forward, then
+/// backward, and so on.
+[[nodiscard]] std::int64_t frame_at_place(std::int64_t place, std::int64_t count);
+
 class FrameLoop {
  public:
   /// Captures up to `frame_count` frames. Errors: those of the source; kInvalidArgument: it has
   /// none.
   static Result<FrameLoop> capture(source::FrameSource& source, int frame_count);
 
-  /// The frame at this place (0 or above) of the endless sequence: the captured ones forward, then
-  /// backward, and so on.
+  /// The frame at this place of the sequence.
   [[nodiscard]] const source::CapturedFrame& at(std::int64_t place) const;
 
  private:

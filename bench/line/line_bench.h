@@ -10,10 +10,15 @@
 //   auto       share of an emulated link that sensors use which estimate what it carries, and the
 //              age of their frames, while the link becomes slower and faster; needs root
 //
+//   looking    bytes that a viewer gets who walks along a path, relative to one who gets all
+//   frames,
+//              and what he loses by it: PSNR to the true view, and pictures that come late
+//
 // The CPU time is that of this process: sensors, hub, and a viewer that does not decode.
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <iosfwd>
 #include <string>
@@ -32,7 +37,8 @@ struct LineBenchOptions {
   std::vector<double> target_mbit = {0.5, 1, 2, 5, 10};  // of all sensors together
   std::vector<double> link_mbit = {8, 2, 8};             // rates of the link, one after the other
   std::chrono::milliseconds rate_warm_up{15'000};        // bundles and first key frames are sent
-  int first_viewers = 5;                                 // viewers who come into an unwatched room
+  std::filesystem::path viewer_path = {};  // case looking; empty: a walk round the room
+  int first_viewers = 5;                   // viewers who come into an unwatched room
 };
 
 struct LineReport {
@@ -58,6 +64,11 @@ struct LineReport {
 [[nodiscard]] Status measure_auto(const LineBenchOptions& options,
                                   const std::function<void(const std::string&)>& progress,
                                   LineReport& report);
+
+/// The case `looking`; adds its figures.
+[[nodiscard]] Status measure_looking(const LineBenchOptions& options,
+                                     const std::function<void(const std::string&)>& progress,
+                                     LineReport& report);
 
 void print_table(const LineReport& report, std::ostream& out);
 void print_json(const LineReport& report, std::ostream& out);

@@ -32,6 +32,17 @@ TEST(LineBench, sensors_that_nobody_watches_send_next_to_nothing) {
   EXPECT_LT(figure(report, "unwatched: CPU", "% of watched"), 60);
 }
 
+TEST(LineBench, a_viewer_gets_fewer_bytes_of_what_he_does_not_look_at) {
+  LineReport report;
+  const auto status = measure_looking({.scene = "bare", .sensors = 2, .duration = 8s}, {}, report);
+  ASSERT_TRUE(status.ok()) << status.error().message;
+  EXPECT_GT(figure(report, "looking: bytes of all frames", "kB/s"), 1);
+  EXPECT_LT(figure(report, "looking: bytes", "% of all"), 110);
+  EXPECT_GT(figure(report, "looking: PSNR", "dB"), 10);
+  EXPECT_GT(figure(report, "looking: PSNR", "dB"),
+            figure(report, "looking: PSNR with all frames", "dB") - 1);
+}
+
 TEST(LineBench, a_sensor_keeps_to_its_target_rate) {
   LineReport report;
   const auto status = measure_rate(

@@ -8,6 +8,25 @@
 #include "roomcast/sensor/source_factory.h"
 
 namespace roomcast::bench {
+namespace {
+
+nanoseconds interval_of(double fps) {
+  return nanoseconds(static_cast<std::int64_t>(1e9 / fps));
+}
+
+nanoseconds phase_of(int index, int count, double fps) {
+  return nanoseconds(static_cast<std::int64_t>(1e9 / fps * index / count));
+}
+
+}  // namespace
+
+nanoseconds LoopedSource::scene_time(HostTime captured, int index, int count, double fps,
+                                     int frame_count) {
+  const nanoseconds since_phase = captured.time_since_epoch() - phase_of(index, count, fps);
+  const std::int64_t tick = (since_phase + interval_of(fps) / 2) / interval_of(fps);
+  return frame_at_place(tick, frame_count) * interval_of(fps);
+}
+
 Result<std::unique_ptr<LoopedSource>> LoopedSource::capture(const std::string& scene, int index,
                                                             int count, double fps,
                                                             int frame_count) {
@@ -19,13 +38,12 @@ Result<std::unique_ptr<LoopedSource>> LoopedSource::capture(const std::string& s
   if (!simulated) return simulated.error();
   auto frames = FrameLoop::capture(**simulated, frame_count);
   if (!frames) return frames.error();
-  const nanoseconds phase(static_cast<std::int64_t>(1e9 / fps * index / count));
-  return std::unique_ptr<LoopedSource>(
-      new LoopedSource((*simulated)->description(), *std::move(frames), phase));
+  return std::unique_ptr<LoopedSource>(new LoopedSource(
+      (*simulated)->description(), *std::move(frames), phase_of(index, count, fps)));
 }
 
 Result<bool> LoopedSource::next(source::CapturedFrame& frame, std::stop_token stop) {
-  const nanoseconds interval(static_cast<std::int64_t>(1e9 / description_.fps));
+  const nanoseconds interval = interval_of(description_.fps);
   const nanoseconds now = SteadyClock().now().time_since_epoch() - phase_;
   last_tick_ = std::max(last_tick_ + 1, now / interval + 1);
   const HostTime due{last_tick_ * interval + phase_};

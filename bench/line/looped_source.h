@@ -19,6 +19,10 @@ class LoopedSource final : public source::FrameSource {
   static Result<std::unique_ptr<LoopedSource>> capture(const std::string& scene, int index,
                                                        int count, double fps, int frame_count);
 
+  /// The time in the scene of the frame that sensor `index` of `count` captures at this time.
+  [[nodiscard]] static nanoseconds scene_time(HostTime captured, int index, int count, double fps,
+                                              int frame_count);
+
   [[nodiscard]] const source::SensorDescription& description() const override {
     return description_;
   }

@@ -28,12 +28,13 @@ void add_line_bench(CLI::App& bench, Command& chosen) {
   auto json = std::make_shared<bool>(false);
   CLI::App* command = bench.add_subcommand("line",
                                            "What a room's sensors cost on their line: unwatched, "
-                                           "with a target rate, and on a line that changes");
+                                           "with a viewer who looks around, with a target rate, "
+                                           "and on a line that changes");
   command
       ->add_option("--case", options->cases,
-                   "Cases: unwatched, rate, auto (the last two need root)")
+                   "Cases: unwatched, looking, rate, auto (the last two need root)")
       ->delimiter(',')
-      ->check(CLI::IsMember({"unwatched", "rate", "auto"}));
+      ->check(CLI::IsMember({"unwatched", "looking", "rate", "auto"}));
   command
       ->add_option("--mbit", options->target_mbit,
                    "Case rate: target rates of all sensors together, Mbit/s")
@@ -44,6 +45,12 @@ void add_line_bench(CLI::App& bench, Command& chosen) {
                    "Case auto: rates of the link, one after the other, Mbit/s (default: 8,2,8)")
       ->delimiter(',')
       ->check(within(0.1, 1'000.0));
+  command
+      ->add_option(
+          "--path", options->viewer_path,
+          "Case looking: how a viewer's head moved, a text file of poses as Unity has them "
+          "(default: a walk round the room)")
+      ->check(CLI::ExistingFile);
   command->add_option("--scene", options->scene, "The simulated room")->capture_default_str();
   command->add_option("--sensors", options->sensors, "Number of simulated sensors")
       ->check(within(1, 8))

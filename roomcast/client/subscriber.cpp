@@ -144,6 +144,14 @@ void Subscriber::Link::on_control(const wire::pb::Control& message) {
     state_.marks(message.marks());
     return offer_snapshot();
   }
+  if (message.has_unseen_sensors()) {
+    state_.unseen(message.unseen_sensors());
+    return offer_snapshot();
+  }
+  if (message.has_set_end()) {
+    if (state_.set_ended(SetId{message.set_end().set_id()})) offer_snapshot();
+    return;
+  }
   if (!message.has_roster()) return;
   if (auto status = state_.roster(message.roster()); !status) warn(status.error().message);
   offer_snapshot();

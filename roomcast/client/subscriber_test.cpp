@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/client/subscriber.h"
 
+#include <thread>
+
 #include <gtest/gtest.h>
 
 #include "roomcast/client/hub_fixture.h"
@@ -15,6 +17,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int kWidth = 64, kHeight = 48;
+constexpr SetId kSet{3};  // of all frames
 
 wire::pb::Control roster_of_one() {
   SensorCalibration calibration;
@@ -46,6 +49,7 @@ net::FramedMessagePtr frame_message(bool key, SensorId sensor = {}, bool last = 
   header.key = key;
   header.sensor = sensor;
   header.last = last;
+  header.set = kSet;
   header.seq = 7;
   header.base_seq = key ? 7 : 6;
   header.payload_length = static_cast<std::uint32_t>(message.size() - wire::kFrameHeaderBytes);
@@ -100,6 +104,34 @@ TEST_F(SubscriberTest, shows_the_frames_of_the_hub) {
   EXPECT_EQ(room->sensors[0].name, "left");
   EXPECT_EQ(room->sensors[0].picture->seq, 7u);
   EXPECT_EQ(room->sensors[0].picture->frame.depth_mm, DepthImage(kWidth, kHeight, 1234));
+}
+
+TEST_F(SubscriberTest, a_set_without_its_last_frame_is_shown_at_its_end) {
+  open();
+  wire::pb::Control end;
+  end.mutable_set_end()->set_set_id(kSet.value);
+  on_hub([&](FakeHub& h) {
+    h.say(roster_of_one());
+    h.say(frame_message(true, {}, false));
+  });
+  std::this_thread::sleep_for(100ms);
+  ASSERT_FALSE(subscriber->snapshot()->sensors.empty());
+  EXPECT_EQ(subscriber->snapshot()->sensors[0].picture, nullptr) << "the set may have more frames";
+  on_hub([&](FakeHub& h) { h.say(end); });
+  wait_for([](const auto& r) { return r.sensors[0].picture != nullptr; });
+}
+
+TEST_F(SubscriberTest, a_paused_sensor_is_known_as_such_until_its_next_frame) {
+  open();
+  wire::pb::Control unseen;
+  unseen.mutable_unseen_sensors()->add_paused(0);
+  on_hub([&](FakeHub& h) {
+    h.say(roster_of_one());
+    h.say(unseen);
+  });
+  wait_for([](const auto& r) { return !r.sensors.empty() && r.sensors[0].is_paused; });
+  on_hub([&](FakeHub& h) { h.say(frame_message(true)); });
+  wait_for([](const auto& r) { return !r.sensors[0].is_paused; });
 }
 
 TEST_F(SubscriberTest, a_sensor_that_cannot_be_decoded_does_not_hide_the_others_of_its_set) {

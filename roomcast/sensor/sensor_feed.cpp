@@ -11,6 +11,7 @@
 #include "roomcast/client/publisher.h"
 #include "roomcast/core/depth_factor.h"
 #include "roomcast/sensor/bundle_monitor.h"
+#include "roomcast/sensor/coarse_depth.h"
 #include "roomcast/sensor/frame_log.h"
 #include "roomcast/sensor/instant_reporter.h"
 #include "roomcast/sensor/interference_filter.h"
@@ -137,6 +138,15 @@ class SensorFeed::Worker {
     if (news->bundle) sender_->publisher().send_bundle(*std::move(news->bundle));
     if (news->moved || news->bundle) stand(bundle_.bundle());
     report_sightings();
+    if (sender_->publisher().frames_wanted()) report_coarse_depth();
+  }
+
+  void report_coarse_depth() {
+    auto coarse = coarse_depth_.add(captured_.depth_mm, captured_.capture_time);
+    if (!coarse) return;
+    wire::pb::Control message;
+    *message.mutable_coarse_depth() = *std::move(coarse);
+    sender_->publisher().send(std::move(message));
   }
 
   void report_sightings() {
@@ -248,6 +258,7 @@ class SensorFeed::Worker {
   double depth_scale_ = 1;  // factor on the camera's readings, by which frames are multiplied
   SightingDetector sighting_detector_;
   InstantReporter instants_;
+  CoarseDepthReporter coarse_depth_;
   std::string complaint_;   // the last reason that was logged
   bool too_large_ = false;  // the last frame was
   InterferenceFilter interference_;

@@ -9,6 +9,7 @@
 #include "roomcast/wire/limits.h"
 #include "roomcast/wire/mark_check.h"
 #include "roomcast/wire/name_check.h"
+#include "roomcast/wire/visibility_check.h"
 
 namespace roomcast::wire {
 namespace {
@@ -138,7 +139,7 @@ Status check_viewer_pose(const pb::ViewerPose& pose) {
   const pb::Beam& beam = pose.pointer();  // all zero if there is none
   if (!is_within_reach(beam.from()) || !is_within_reach(beam.to()))
     return malformed("a pointer's beam is out of range");
-  return {};
+  return check_view_half_angle(pose.view_half_angle());
 }
 
 Status check_note(const std::string& note) {
@@ -339,6 +340,10 @@ Status check_control(const pb::Control& control) {
       return check_stats(control.viewer_stats());
     case pb::Control::kSensorHealth:
       return check_health(control.sensor_health());
+    case pb::Control::kCoarseDepth:
+      return check_coarse_depth(control.coarse_depth());
+    case pb::Control::kUnseenSensors:
+      return check_unseen_sensors(control.unseen_sensors());
     case pb::Control::kCalibrationBundle:
       return check_bundle(control.calibration_bundle());
     case pb::Control::kPlacements:
@@ -365,6 +370,7 @@ Status check_control(const pb::Control& control) {
       return check_remove_marks(control.remove_marks());
     case pb::Control::kMark:  // the room refuses wrong ones with a sentence, and keeps the viewer
     case pb::Control::kGuide:
+    case pb::Control::kSetEnd:
     case pb::Control::kSightingRequest:
     case pb::Control::kFrameDemand:
     case pb::Control::kSensorMoved:

@@ -42,7 +42,7 @@ TEST(Control, encoding_appends_to_the_buffer) {
 TEST(Control, a_message_kind_of_a_later_version_has_no_content) {
   auto message = message_of(ping(1));
   message.resize(kPreambleBytes);
-  message.insert(message.end(), {0xFA, 0x01, 0x00});  // field 31, length-delimited, empty
+  message.insert(message.end(), {0xBA, 0x3E, 0x00});  // field 999, length-delimited, empty
   const auto control = decode_control(message, Sender::kHub);
   ASSERT_TRUE(control.ok());
   EXPECT_EQ(control->message_case(), pb::Control::MESSAGE_NOT_SET);

@@ -108,6 +108,20 @@ void add_voice_messages(std::vector<GoldenMessage>& messages) {
   messages.push_back(golden_refusal("refused_large_audio", bad, "payload"));
 }
 
+/// Since hubs leave out what a viewer cannot see.
+void add_visibility_messages(std::vector<GoldenMessage>& messages) {
+  messages.push_back(golden_control(
+      "control_viewer_pose_angle",
+      R"({"viewerPose":{"head":{"x":1.5,"y":1.75,"z":-2,"qw":1},"viewHalfAngle":0.75}})"));
+  messages.push_back(
+      golden_control("control_coarse_depth",
+                     R"({"coarseDepth":{"columns":2,"rows":1,"nearCm":[120,0],"farCm":[300,0]}})"));
+  messages.push_back(golden_control("control_unseen_sensors",
+                                    R"({"unseenSensors":{"baseOnly":[1],"paused":[0,300]}})"));
+  messages.push_back(
+      golden_control("control_set_end", R"({"setEnd":{"setId":"18446744073709551615"}})"));
+}
+
 std::vector<GoldenMessage> golden_messages() {
   FrameHeader key{.key = true,
                   .sensor = SensorId{3},
@@ -177,6 +191,7 @@ std::vector<GoldenMessage> golden_messages() {
   bad.pop_back();
   messages.push_back(golden_refusal("refused_truncated_control", bad, "protobuf"));
   add_voice_messages(messages);
+  add_visibility_messages(messages);
   return messages;
 }
 

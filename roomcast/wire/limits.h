@@ -56,6 +56,8 @@ inline constexpr int kMaxPosesPerSecond = 60;
 inline constexpr int kMaxPosesPerMessage = 512;
 inline constexpr double kMaxPosition_m = 10'000;
 inline constexpr unsigned kMaxLayer = 7;
+inline constexpr unsigned kMaxCoarseSide = 64;  // cells of CoarseDepth in a row or column
+inline constexpr float kMaxViewHalfAngle_rad = 3.14159265F;  // sees all around
 
 // Marks.
 inline constexpr int kMaxMarkPoints = 512;  // of one sketch

@@ -22,6 +22,10 @@ export class LazyConsole {
     if (this.console || rights.mayNudge || rights.isAdmin) (await this.ready()).setRights(this.rights);
   }
 
+  get isOpen(): boolean {
+    return this.console?.open ?? false;
+  }
+
   /** Opens or closes it. Rejects where it cannot be loaded. */
   async toggle(): Promise<void> {
     const console = await this.ready();

@@ -224,6 +224,9 @@ class Page {
         return this.panel.setGuide(this.state.welcome?.mayPlace ?? false, this.standpoint.follow.isGuide);
       case 'playback':
         return this.playback.show(message.state);
+      case 'unseen':
+        this.state.unseen = new Set(message.paused);
+        return this.stage.clear(message.paused);
       case 'frames':
         return this.take(message.setId, message.frames, message.decodedAt_ms);
       case 'voices':
@@ -347,7 +350,8 @@ class Page {
     if (frame) this.headset.update(now_ms, frame);
     else this.standpoint?.update(now_ms);
     this.marking?.update();
-    this.posePublisher?.update(now_ms);
+    const wantsAll = this.options.record || this.console?.isOpen; // the console shows every sensor
+    this.posePublisher?.update(now_ms, wantsAll ? 0 : this.stage.halfAngle);
   }
 
   private viewChanged(): void {

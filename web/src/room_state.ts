@@ -30,6 +30,7 @@ export class RoomState {
   body: Body | undefined; // current pose of the headset's wearer
   readonly poses = new Map<number, ViewerPose>(); // of the other viewers, as received
   speaking: ReadonlySet<number> = new Set(); // viewers
+  unseen: ReadonlySet<number> = new Set(); // sensors of which the hub sends nothing, as this viewer cannot see what they show
   muted: ReadonlySet<number> = new Set(); // viewers, by an admin
   broken = ''; // reason why the page cannot continue
   consoleProblem = ''; // reason why the console is not there

@@ -21,6 +21,9 @@ struct PersonPose {
   RigidTransform world_from_head;
   std::optional<RigidTransform> world_from_left_hand, world_from_right_hand;  // while tracked
   std::optional<PointerBeam> pointer;                                         // while pointing
+  /// One's own only: the largest angle between the head's -z axis and a direction that one sees. By
+  /// it the hub leaves out frames of sensors whose surfaces are not seen. 0: send all.
+  double view_half_angle_rad = 0;
 };
 
 /// Without the viewer's ID, which the hub adds.

@@ -38,6 +38,9 @@ struct RoomSensor {
   double fps = 0;
   SensorCalibration calibration;
   std::shared_ptr<const SensorPicture> picture;  // null before its first frame
+  /// The hub sends no frames, or had sent none before and the first one is still to come, because
+  /// this viewer cannot see what the sensor shows. The picture is old.
+  bool is_paused = false;
   std::uint64_t frames_received = 0;
   std::uint64_t frames_missed = 0;  // skipped on their way, or not decodable
   std::uint64_t bytes_received = 0;

@@ -23,6 +23,8 @@ void RoomState::welcome(const wire::pb::Welcome& welcome) {
   room_.clock.reset();
   room_.sensors_known = false;
   voices_.Clear();
+  complete_set_ = {};
+  for (RoomSensor& sensor : room_.sensors) sensor.is_paused = false;
   marks_.join(welcome.author_tag());
   room_.marks = marks_.all();
   ++room_.people_revision;
@@ -60,6 +62,26 @@ void RoomState::update_voices() {
     person.speaking = names(voices_.speaking(), person.id);
     person.muted = names(voices_.muted(), person.id);
   }
+}
+
+void RoomState::unseen(const wire::pb::UnseenSensors& unseen) {
+  const auto names = [](const auto& ids, SensorId id) {
+    return std::ranges::find(ids, id.value) != ids.end();
+  };
+  for (RoomSensor& sensor : room_.sensors) {
+    const bool is_paused = names(unseen.paused(), sensor.id);
+    if (is_paused) sensor.is_paused = true;  // until its next frame
+    SensorDecoding& decoding = decoding_[sensor.id];
+    decoding.has_gaps = is_paused || names(unseen.base_only(), sensor.id);
+    decoding.newest_seq.reset();
+  }
+}
+
+bool RoomState::set_ended(SetId set) {
+  if (set <= complete_set_ || set > room_.newest_set) return false;
+  complete_set_ = set;
+  ++room_.sets_received;
+  return true;
 }
 
 void RoomState::marks(const wire::pb::Marks& marks) {
@@ -181,8 +203,10 @@ Result<RoomState::FrameOutcome> RoomState::frame(std::span<const std::uint8_t> m
   picture->decoded = clock_.now();
   ++sensor->frames_received;
   sensor->picture = std::move(picture);
+  sensor->is_paused = false;
   room_.newest_set = std::max(room_.newest_set, header->set);
   if (!header->last) return FrameOutcome::kDecoded;
+  complete_set_ = header->set;
   ++room_.sets_received;
   return FrameOutcome::kSetComplete;
 }
@@ -192,6 +216,7 @@ Result<RoomState::FrameOutcome> RoomState::frame(std::span<const std::uint8_t> m
 std::uint64_t RoomState::SensorDecoding::count_gap(std::uint32_t seq) {
   const std::uint32_t step = newest_seq ? seq - *newest_seq : 1;
   newest_seq = seq;
+  if (has_gaps) return 0;
   return step > 0 && step <= kLongestGap ? step - 1 : 0;
 }
 

@@ -29,6 +29,10 @@ class RoomState {
   /// Ignores people who are not in the roster (yet, or any more).
   void poses(const wire::pb::ViewerPoses& poses);
   void voices(const wire::pb::Voices& voices);
+  /// The sensors whose frames the hub leaves out, wholly or in part. Ignores unknown ones.
+  void unseen(const wire::pb::UnseenSensors& unseen);
+  /// The set has no more frames. False: it was complete before.
+  bool set_ended(SetId set);
   void marks(const wire::pb::Marks& marks);
   void clock_is(const ClockEstimate& estimate) { room_.clock = estimate; }
   void disconnected(std::string problem);
@@ -50,6 +54,7 @@ class RoomState {
     std::uint64_t count_gap(std::uint32_t seq);
 
     std::optional<std::uint32_t> newest_seq;
+    bool has_gaps = false;  // the hub leaves frames out
     std::unique_ptr<codec::FrameDecoder> decoder;
     FrameChain chain;
     std::vector<std::shared_ptr<SensorPicture>>
@@ -66,6 +71,7 @@ class RoomState {
   RoomSnapshot room_;
   RoomMarks marks_;
   wire::pb::Voices voices_;
+  SetId complete_set_{};  // the newest complete one
   std::unordered_map<SensorId, SensorDecoding> decoding_;
 };
 

@@ -195,6 +195,39 @@ TEST_F(RoomStateTest, a_frame_without_its_base_asks_for_a_key_frame) {
   EXPECT_EQ(*outcome, RoomState::FrameOutcome::kNeedsKey);
 }
 
+TEST_F(RoomStateTest, frames_that_are_left_out_because_nobody_sees_them_are_not_missed) {
+  ASSERT_TRUE(state.frame(sensor.message(header_of(0, 0), depth_picture(0))).ok());
+  wire::pb::UnseenSensors unseen;
+  unseen.add_base_only(0);
+  state.unseen(unseen);
+  EXPECT_FALSE(state.snapshot()->sensors[0].is_paused);
+  ASSERT_TRUE(state.frame(sensor.message(header_of(0, 2), depth_picture(0))).ok());
+  unseen.clear_base_only();
+  unseen.add_paused(0);
+  unseen.add_paused(77);  // is unknown
+  state.unseen(unseen);
+  EXPECT_TRUE(state.snapshot()->sensors[0].is_paused);
+  state.unseen({});
+  EXPECT_TRUE(state.snapshot()->sensors[0].is_paused) << "its picture is still old";
+  ASSERT_TRUE(state.frame(sensor.message(header_of(0, 50), depth_picture(0))).ok());
+  EXPECT_FALSE(state.snapshot()->sensors[0].is_paused);
+  EXPECT_EQ(state.snapshot()->sensors[0].frames_missed, 0U);
+  ASSERT_TRUE(state.frame(sensor.message(header_of(0, 52), depth_picture(0))).ok());
+  EXPECT_EQ(state.snapshot()->sensors[0].frames_missed, 1U) << "now everything is to come";
+}
+
+TEST_F(RoomStateTest, a_set_may_end_without_its_last_frame) {
+  wire::FrameHeader header = header_of(0, 4);
+  header.last = false;
+  const auto outcome = state.frame(sensor.message(header, depth_picture(0)));
+  ASSERT_TRUE(outcome.ok());
+  EXPECT_EQ(*outcome, RoomState::FrameOutcome::kDecoded);
+  EXPECT_TRUE(state.set_ended(header.set));
+  EXPECT_FALSE(state.set_ended(header.set)) << "once";
+  EXPECT_FALSE(state.set_ended(SetId{header.set.value + 1})) << "no frame of it has come";
+  EXPECT_EQ(state.snapshot()->sets_received, 1U);
+}
+
 TEST_F(RoomStateTest, a_damaged_payload_asks_for_a_key_frame_and_later_frames_wait_for_it) {
   ASSERT_TRUE(state.frame(sensor.message(header_of(0, 0), depth_picture(0))).ok());
   auto damaged = sensor.message(header_of(0, 1, false), depth_picture(1));

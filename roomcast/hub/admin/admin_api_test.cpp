@@ -7,6 +7,7 @@ namespace roomcast::hub {
 namespace {
 
 namespace pb = wire::pb;
+using Json = nlohmann::json;
 
 TEST_F(AdminApiTest, logs_changes_and_refusals) {
   const Answer viewer = ask("POST", "/tokens", hub_admin, {{"room", "lab"}, {"role", "viewer"}});

@@ -28,6 +28,8 @@ struct SetFrame {
 struct FrameSet {
   SetId id;
   std::vector<SetFrame> frames;  // in order of arrival; several of a sensor that catches up
+  /// A SetEnd, for viewers that do not get the last frame. Null if there is one frame only.
+  net::FramedMessagePtr end = nullptr;
 };
 
 using FrameSetPtr = std::shared_ptr<const FrameSet>;

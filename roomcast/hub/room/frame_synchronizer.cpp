@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "roomcast/core/assert.h"
+#include "roomcast/hub/room/framed_control.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::hub {
@@ -13,6 +14,12 @@ namespace {
 
 nanoseconds period_of(double fps) {
   return nanoseconds(fps > 0 ? static_cast<std::int64_t>(std::llround(1e9 / fps)) : 0);
+}
+
+net::FramedMessagePtr end_of(SetId set) {
+  wire::pb::Control message;
+  message.mutable_set_end()->set_set_id(set.value);
+  return framed_control(message);
 }
 
 }  // namespace
@@ -135,6 +142,7 @@ void FrameSynchronizer::close_oldest() {
     wire::stamp_frame_set(pending.message.payload(), set->id, pending.header.last);
     set->frames.push_back({pending.header, net::frame_message(std::move(pending.message))});
   }
+  if (set->frames.size() > 1) set->end = end_of(set->id);
   newest_closed_ = node.key();
   closed_.push_back(std::move(set));
 }

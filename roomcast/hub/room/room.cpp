@@ -43,6 +43,11 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
       if (sensor == nullptr) break;
       sensor->health = message.sensor_health();
       return out;
+    case pb::Control::kCoarseDepth:
+      if (sensor == nullptr) break;
+      sensor->coarse_depth = message.coarse_depth();
+      follow_surface(*sensor);
+      return out;
     case pb::Control::kSightings:
     case pb::Control::kDepthInstant:
       if (sensor == nullptr) break;
@@ -73,6 +78,7 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
     case pb::Control::kViewerPose:
       if (viewer == viewers_.end()) break;
       poses_.set(viewer->second.id, message.viewer_pose(), now);
+      culling_.viewer_moved(from, message.viewer_pose(), now);
       return out;
     case pb::Control::kPeopleHere:
       if (!may_report_people(from)) break;
@@ -114,56 +120,6 @@ void Room::name_other_hubs(const pb::Control& message, RoomActions& out) {
     if (sensor.connection) to.push_back(*sensor.connection);
   }
   if (!to.empty()) out.push_back(SendControl{std::move(to), message});
-}
-
-std::optional<Refusal> Room::fault_of(ConnectionId from, const wire::FrameHeader& header,
-                                      RoomTime now) {
-  const RoomSensor* sensor = sensors_.find(from);
-  if (sensor == nullptr) {
-    return Refusal{pb::ERROR_UNEXPECTED, "only a sensor that has joined may send frames"};
-  }
-  if (header.sensor != sensor->id) {
-    return Refusal{pb::ERROR_UNEXPECTED, "this frame carries the id of another sensor than " +
-                                             std::to_string(sensor->id.value)};
-  }
-  if (header.capture_time > now + wire::kMaxCaptureAhead) {
-    return Refusal{pb::ERROR_MALFORMED,
-                   "this frame was captured in the future: synchronise the clock first"};
-  }
-  return std::nullopt;
-}
-
-RoomActions Room::frame(ConnectionId from, const wire::FrameHeader& header,
-                        net::MessageBuffer message, RoomTime now) {
-  IncomingFrame alone{from, header, std::move(message)};
-  return frames({&alone, 1}, now);
-}
-
-RoomActions Room::frames(std::span<IncomingFrame> together, RoomTime now) {
-  RoomActions out;
-  for (IncomingFrame& frame : together) take_frame(frame, now, out);
-  send_closed_sets(now, out);
-  return out;
-}
-
-void Room::take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out) {
-  if (const auto fault = fault_of(frame.from, frame.header, now)) {
-    std::ranges::move(refuse(frame.from, fault->code, fault->sentence, now),
-                      std::back_inserter(out));
-    return;
-  }
-  RoomSensor& sensor = *sensors_.find(frame.from);
-  if (frame.header.key) sensor.key_pace.key_frame_came();
-  count_frame(frame.header, frame.message.size(), now, sensor.stats);
-  sets_.add_frame(frame.header, std::move(frame.message), now);
-}
-
-RoomActions Room::key_needed(SensorId id, RoomTime now) {
-  RoomActions out;
-  RoomSensor* const sensor = sensors_.find(id);  // null: an old roster, or an invalid ID
-  if (sensor == nullptr || !sensor->connection) return out;
-  if (sensor->key_pace.request(now)) ask_for_key(*sensor, out);
-  return out;
 }
 
 RoomActions Room::change(RoomSettings settings, RoomTime now) {
@@ -214,12 +170,14 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
   if (RoomSensor* sensor = sensors_.find(from)) {
     sensors_.disconnect(*sensor);
     sets_.remove_sensor(sensor->id);
+    sensor->coarse_depth.reset();
     send_roster(now, out);
     send_closed_sets(now, out);
   } else if (const auto viewer = viewers_.find(from); viewer != viewers_.end()) {
     const ViewerId id = viewer->second.id;
     poses_.forget(id);
     voices_.forget(id);
+    culling_.forget_viewer(from);
     viewers_.erase(viewer);
     out = set_guide(id, false);
     forget_people(remote_presence_.forget(from));
@@ -244,6 +202,7 @@ RoomActions Room::tick(RoomTime now) {
     out.push_back(SendControl{readers_of_poses(), *std::move(poses)});
   }
   send_voices(now, out);
+  cull(now, out);
   if (roster_changed_ && now >= next_roster_) send_roster(now, out);
   update_demand(now, out);
   return out;
@@ -259,22 +218,10 @@ std::optional<RoomTime> Room::next_tick() const {
   }
   consider(poses_.next());
   consider(voices_.next());
+  consider(culling_.next());
   consider(demand_.next());
   if (roster_changed_) consider(next_roster_);
   return next;
-}
-
-void Room::ask_for_key(const RoomSensor& sensor, RoomActions& out) {
-  pb::Control request;
-  request.mutable_key_request()->set_sensor_id(sensor.id.value);
-  out.push_back(SendControl{{*sensor.connection}, std::move(request)});
-}
-
-void Room::send_closed_sets(RoomTime now, RoomActions& out) {
-  for (FrameSetPtr& set : sets_.take_closed(now)) {
-    count_set(*set, sensors_.online_count(), set_stats_);
-    if (!viewers_.empty()) out.emplace_back(SendSet{std::move(set)});
-  }
 }
 
 /// Sends the roster at once. Sensor changes need this: a viewer must have a sensor's calibration
@@ -282,6 +229,7 @@ void Room::send_closed_sets(RoomTime now, RoomActions& out) {
 /// received poses of people whom no roster had named yet.
 void Room::send_roster(RoomTime now, RoomActions& out) {
   place_unplaced_in_row();
+  for (const RoomSensor& sensor : sensors_.all()) follow_surface(sensor);
   const bool people_changed = std::exchange(roster_changed_, false);
   if (viewers_.empty() && aligners_.empty()) return;
   next_roster_ = now + wire::kRosterInterval;

@@ -30,6 +30,7 @@
 #include "roomcast/hub/room/sensor_list.h"
 #include "roomcast/hub/room/start_pose.h"
 #include "roomcast/hub/room/voice_relay.h"
+#include "roomcast/hub/visibility/view_culling.h"
 #include "roomcast/net/message_buffer.h"
 #include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/control.pb.h"
@@ -158,6 +159,8 @@ class Room {
   void ask_for_key(const RoomSensor& sensor, RoomActions& out);
   void take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out);
   void send_closed_sets(RoomTime now, RoomActions& out);
+  void follow_surface(const RoomSensor& sensor);
+  void cull(RoomTime now, RoomActions& out);
   void send_roster(RoomTime now, RoomActions& out);
   void place_unplaced_in_row();
   bool send_roster_when_due(RoomTime now, RoomActions& out);
@@ -182,6 +185,7 @@ class Room {
   RemotePresence remote_presence_;
   PoseRelay poses_;
   VoiceRelay voices_;
+  ViewCulling culling_;
   std::set<std::string> muted_tokens_;
   MarkList marks_;
   std::optional<ViewerId> guide_;  // who shows everybody around

@@ -10,6 +10,7 @@
 #include "roomcast/core/ids.h"
 #include "roomcast/hub/room/frame_set.h"
 #include "roomcast/hub/room/known_sensor.h"
+#include "roomcast/hub/visibility/detail.h"
 #include "roomcast/wire/control.pb.h"
 
 namespace roomcast::hub {
@@ -29,6 +30,12 @@ struct SendAudio {
   std::vector<ConnectionId> to;
   ViewerId speaker;
   net::FramedMessagePtr packet;
+};
+
+/// The viewer gets the sensors' frames in these details from now on.
+struct SetDetails {
+  ConnectionId viewer;
+  SensorDetails details;
 };
 
 /// The sensor has started again. Frames that viewers already have are no reference for its next
@@ -66,8 +73,8 @@ struct SaveMarks {
   std::vector<std::uint32_t> removed = {};  // IDs
 };
 
-using RoomAction = std::variant<SendControl, SendSet, SendAudio, RestartSensor, AcceptConnection,
-                                Disconnect, SaveSensors, SaveMarks>;
+using RoomAction = std::variant<SendControl, SendSet, SendAudio, SetDetails, RestartSensor,
+                                AcceptConnection, Disconnect, SaveSensors, SaveMarks>;
 using RoomActions = std::vector<RoomAction>;
 
 }  // namespace roomcast::hub

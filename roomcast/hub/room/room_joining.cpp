@@ -89,6 +89,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   sensor->key_pace = {};  // its first frame is a key frame anyway
   sensor->stats.newest_seq.reset();
   sensor->bundle.reset();
+  sensor->coarse_depth.reset();
   if (was_here && sensor->pose.is_estimated()) {
     doubt(sensor->pose);
     sensor->valid_from_bundle = sensor->bundles + 1;

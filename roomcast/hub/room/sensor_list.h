@@ -41,7 +41,8 @@ struct RoomSensor {
   bool is_at_other_hub = false;                       // it is connected to another hub
   std::uint64_t left_as = 0;                          // counts the departures of all sensors
   std::optional<wire::pb::SensorHealth> health = {};  // the newest of this connection
-  double told_depth_scale = 1;                        // on this connection
+  std::optional<wire::pb::CoarseDepth> coarse_depth = {};  // likewise
+  double told_depth_scale = 1;                             // on this connection
   KeyRequestPace key_pace = {};
   SensorStats stats = {};  // the counters that change with its frames
 };

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "roomcast/hub/runtime/control_message.h"
+#include "roomcast/hub/room/framed_control.h"
 #include "roomcast/hub/runtime/shard.h"
 
 namespace roomcast::hub {

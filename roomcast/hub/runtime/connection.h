@@ -96,6 +96,8 @@ class Connection {
   virtual void deliver(ControlFanOut& control) = 0;
   /// Delivers the packet when the fan-out is sent. Only sessions get audio.
   virtual void hear(AudioFanOut& /*audio*/) {}
+  /// The frames that it gets from now on. Only viewers' sessions get frames.
+  virtual void set_details(const SensorDetails& /*details*/) {}
   /// The room has removed it, or refused it. No other call follows.
   virtual void disconnect(wire::pb::ErrorCode code, const std::string& sentence) = 0;
 

@@ -130,6 +130,12 @@ void RoomRunner::apply(const SendAudio& action) {
   audio.send();
 }
 
+void RoomRunner::apply(const SetDetails& action) {
+  if (const ConnectionPtr connection = find(action.viewer)) {
+    connection->set_details(action.details);
+  }
+}
+
 void RoomRunner::apply(const RestartSensor& action) {
   for (const auto& shard : context_.shards) shard->restart_sensor(id_, action.sensor);
 }

@@ -82,6 +82,7 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
   void apply(const SendControl& action);
   void apply(const SendSet& action);
   void apply(const SendAudio& action);
+  void apply(const SetDetails& action);
   void apply(const RestartSensor& action);
   void apply(const AcceptConnection& action);
   void apply(const Disconnect& action);

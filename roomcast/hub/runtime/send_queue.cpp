@@ -86,15 +86,32 @@ net::FramedMessagePtr SendQueue::next() {
     return packet;
   }
   while (!sets_.empty()) {
-    auto& [set, next_frame, base_only] = sets_.front();
-    while (next_frame < set->frames.size()) {
-      const SetFrame& frame = set->frames[next_frame++];
-      if (base_only && frame.header.layer > 0) continue;
-      if (may_deliver(frame.header)) return frame.message;
-    }
+    if (auto message = next_of(sets_.front())) return message;
     sets_.erase(sets_.begin());
   }
   return nullptr;
+}
+
+/// The next frame of a set, or its end if frames were delivered without the last one; null: it is
+/// done.
+net::FramedMessagePtr SendQueue::next_of(QueuedSet& queued) {
+  const auto& frames = queued.set->frames;
+  while (queued.next_frame < frames.size()) {
+    const SetFrame& frame = frames[queued.next_frame++];
+    if (!is_wanted(frame.header, queued.base_only) || !may_deliver(frame.header)) continue;
+    queued.must_end = !frame.header.last;
+    return frame.message;
+  }
+  return std::exchange(queued.must_end, false) ? queued.set->end : nullptr;
+}
+
+bool SendQueue::is_wanted(const wire::FrameHeader& header, bool base_only) {
+  const Detail detail = detail_of(details_, header.sensor);
+  if (detail == Detail::kPaused) {
+    chain_of(header.sensor) = {};  // it goes on with a key frame, which is asked for then
+    return false;
+  }
+  return header.layer == 0 || (!base_only && detail == Detail::kAll);
 }
 
 bool SendQueue::may_deliver(const wire::FrameHeader& header) {

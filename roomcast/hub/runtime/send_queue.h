@@ -6,16 +6,20 @@
 // with upper-layer frames loses these, since no frame depends on them; if no set has any, the
 // oldest set is dropped. So a slow viewer loses its own frames, upper layers first, and delays no
 // other viewer. Frames that depend on a dropped frame are dropped too, because the receiver could
-// not decode them. docs/spec/wire.md §2 (last paragraph) and §3 "Back-pressure". Pure.
+// not decode them. Frames of sensors that the viewer does not need are left out; where that, or a
+// drop, takes the last frame of a set, a SetEnd follows the others. docs/spec/wire.md §2 (last
+// paragraph), §3 "Back-pressure" and "Only what a viewer looks at". Pure.
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <boost/container/small_vector.hpp>
 
 #include "roomcast/core/ids.h"
 #include "roomcast/hub/room/frame_set.h"
+#include "roomcast/hub/visibility/detail.h"
 #include "roomcast/net/framed_message.h"
 
 namespace roomcast::hub {
@@ -30,6 +34,8 @@ class SendQueue {
   /// The next message to write; null: there is none.
   [[nodiscard]] net::FramedMessagePtr next();
 
+  /// The frames to leave out from now on, also of the sets that wait.
+  void set_details(SensorDetails details) { details_ = std::move(details); }
   /// The sensor has started again: only its key frames can be decoded now.
   void forget(SensorId sensor);
 
@@ -47,6 +53,7 @@ class SendQueue {
     FrameSetPtr set;
     std::size_t next_frame = 0;
     bool base_only = false;  // without its upper layers
+    bool must_end = false;   // frames were delivered, and not the last one
   };
   struct QueuedAudio {
     ViewerId speaker;
@@ -58,6 +65,8 @@ class SendQueue {
     bool key_asked = false;
   };
 
+  [[nodiscard]] net::FramedMessagePtr next_of(QueuedSet& queued);
+  [[nodiscard]] bool is_wanted(const wire::FrameHeader& header, bool base_only);
   [[nodiscard]] bool may_deliver(const wire::FrameHeader& header);
 
   void drop_excess();
@@ -73,6 +82,7 @@ class SendQueue {
   std::vector<QueuedAudio> audio_;
   boost::container::small_vector<Chain, 4> chains_;  // by sensor id
   std::vector<SensorId> key_needs_;
+  SensorDetails details_;
   std::uint64_t dropped_sets_ = 0;
   std::uint64_t dropped_audio_ = 0;
 };

@@ -25,14 +25,16 @@ struct FrameSpec {
   std::uint8_t layer = 0;
 };
 
-FrameSetPtr frame_set_of(std::vector<FrameSpec> specs) {
+FrameSetPtr frame_set_of(std::vector<FrameSpec> specs, net::FramedMessagePtr end = nullptr) {
   auto set = std::make_shared<FrameSet>();
+  set->end = std::move(end);
   for (const auto& spec : specs) {
     wire::FrameHeader header{.key = spec.seq == spec.base_seq,
                              .sensor = spec.sensor,
                              .layer = spec.layer,
                              .seq = spec.seq,
                              .base_seq = spec.base_seq};
+    header.last = &spec == &specs.back();
     set->frames.push_back({header, some_message()});
   }
   return set;
@@ -104,6 +106,53 @@ TEST(SendQueue, drops_the_oldest_unstarted_set) {
   EXPECT_EQ(send_queue.dropped_sets(), 5 - wire::kMaxQueuedSets);
   EXPECT_EQ(send_queue.next(), sets[3]->frames[0].message);
   EXPECT_EQ(send_queue.next(), sets[4]->frames[0].message);
+}
+
+TEST(SendQueue, a_set_whose_last_frame_is_left_out_has_an_end) {
+  SendQueue send_queue;
+  send_queue.set_details({Detail::kAll, Detail::kPaused});
+  const auto set = frame_set_of({{kSensor, 0, 0}, {kOtherSensor, 0, 0}}, some_message());
+  send_queue.push_set(set);
+  EXPECT_EQ(send_queue.next(), set->frames[0].message);
+  EXPECT_EQ(send_queue.next(), set->end);
+  EXPECT_EQ(send_queue.next(), nullptr);
+  const auto other_order = frame_set_of({{kOtherSensor, 0, 0}, {kSensor, 1, 1}}, some_message());
+  send_queue.push_set(other_order);
+  EXPECT_EQ(send_queue.next(), other_order->frames[1].message);
+  EXPECT_EQ(send_queue.next(), nullptr) << "the last frame has come";
+  send_queue.push_set(frame_set_of({{kOtherSensor, 1, 1}}, some_message()));
+  EXPECT_EQ(send_queue.next(), nullptr) << "nothing of it has come";
+}
+
+TEST(SendQueue, a_sensor_in_its_base_loses_upper_layers_only) {
+  SendQueue send_queue;
+  send_queue.set_details({Detail::kBaseOnly});
+  for (std::uint32_t seq = 0; seq < 6; ++seq) {
+    const bool is_base = seq % 2 == 0;
+    const std::uint32_t base = seq == 0 ? 0 : (seq - 1) / 2 * 2;
+    const auto set =
+        frame_set_of({{kSensor, seq, base, is_base ? std::uint8_t{0} : std::uint8_t{1}}});
+    send_queue.push_set(set);
+    EXPECT_EQ(send_queue.next(), is_base ? set->frames[0].message : nullptr) << seq;
+  }
+  EXPECT_THAT(send_queue.take_key_needs(), IsEmpty());
+}
+
+TEST(SendQueue, a_paused_sensor_needs_a_key_frame_once_it_goes_on) {
+  SendQueue send_queue;
+  send_queue.push_set(frame_set_of({{kSensor, 0, 0}}));
+  EXPECT_EQ(drain(send_queue), 1);
+  send_queue.set_details({Detail::kPaused});
+  send_queue.push_set(frame_set_of({{kSensor, 1, 0}}));
+  EXPECT_EQ(drain(send_queue), 0);
+  EXPECT_THAT(send_queue.take_key_needs(), IsEmpty()) << "nobody needs it now";
+  send_queue.set_details({});
+  send_queue.push_set(frame_set_of({{kSensor, 2, 1}}));
+  EXPECT_EQ(drain(send_queue), 0) << "its reference was left out";
+  EXPECT_THAT(send_queue.take_key_needs(), ElementsAre(kSensor));
+  send_queue.push_set(frame_set_of({{kSensor, 3, 3}}));
+  send_queue.push_set(frame_set_of({{kSensor, 4, 3}}));
+  EXPECT_EQ(drain(send_queue), 2);
 }
 
 TEST(SendQueue, drops_sets_of_upper_layers_first) {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "roomcast/hub/runtime/control_message.h"
+#include "roomcast/hub/room/framed_control.h"
 #include "roomcast/wire/control.h"
 #include "roomcast/wire/limits.h"
 

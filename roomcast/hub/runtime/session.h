@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "roomcast/core/clock.h"
 #include "roomcast/core/ids.h"
@@ -90,6 +91,7 @@ class Session final : public net::ConnectionHandler {
   void send_audio(ViewerId speaker, net::FramedMessagePtr packet);
   [[nodiscard]] std::uint64_t dropped_sets() const { return send_queue_.dropped_sets(); }
   [[nodiscard]] std::uint64_t dropped_audio() const { return send_queue_.dropped_audio(); }
+  void set_details(SensorDetails details) { send_queue_.set_details(std::move(details)); }
   void restart_sensor(SensorId sensor) { send_queue_.forget(sensor); }
 
   /// Sends the reason and closes. on_left is the only event after this.

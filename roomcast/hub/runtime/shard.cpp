@@ -23,6 +23,7 @@ class SessionConnection final : public Connection {
   void accept(Role role, RoomId room) override { shard_.accept(id(), role, room); }
   void deliver(ControlFanOut& control) override { control.add(shard_, id()); }
   void hear(AudioFanOut& audio) override { audio.add(shard_, id()); }
+  void set_details(const SensorDetails& details) override { shard_.set_details(id(), details); }
   void disconnect(wire::pb::ErrorCode code, const std::string& sentence) override {
     shard_.disconnect(id(), code, sentence);
   }
@@ -105,6 +106,12 @@ void Shard::send_audio(std::vector<ConnectionId> to, ViewerId speaker,
     for (const ConnectionId connection : to) {
       if (Session* session = find(connection)) session->send_audio(speaker, packet);
     }
+  });
+}
+
+void Shard::set_details(ConnectionId viewer, SensorDetails details) {
+  asio::dispatch(loops_.io, [this, viewer, details = std::move(details)]() mutable {
+    if (Session* session = find(viewer)) session->set_details(std::move(details));
   });
 }
 

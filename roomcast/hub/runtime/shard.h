@@ -72,6 +72,7 @@ class Shard final : public SessionEvents {
   void send_control(std::vector<ConnectionId> to, net::FramedMessagePtr message);
   void send_set(RoomId room, FrameSetPtr set);
   void send_audio(std::vector<ConnectionId> to, ViewerId speaker, net::FramedMessagePtr packet);
+  void set_details(ConnectionId viewer, SensorDetails details);
   void restart_sensor(RoomId room, SensorId sensor);
   void disconnect(ConnectionId connection, wire::pb::ErrorCode code, std::string sentence);
   /// The room has no clients any more.

@@ -17,7 +17,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/core/clock.h"
-#include "roomcast/hub/runtime/control_message.h"
+#include "roomcast/hub/room/framed_control.h"
 #include "roomcast/hub/server/hub_server.h"
 #include "roomcast/net/websocket_client.h"
 #include "roomcast/wire/audio_header.h"

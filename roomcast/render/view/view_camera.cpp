@@ -41,6 +41,10 @@ double focal_length_px(const ViewCamera& camera) {
   return 0.5 * camera.height / std::tan(0.5 * camera.vertical_fov_rad);
 }
 
+double half_angle_rad(const ViewCamera& camera) {
+  return std::atan(std::hypot(camera.width, camera.height) / 2 / focal_length_px(camera));
+}
+
 Eigen::Matrix4f clip_from_view(const ViewCamera& camera) {
   const double focal = focal_length_px(camera);
   const double near = camera.near_m, far = camera.far_m;

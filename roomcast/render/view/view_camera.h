@@ -28,6 +28,9 @@ struct ViewCamera {
 /// Focal length of both axes, in pixels.
 [[nodiscard]] double focal_length_px(const ViewCamera& camera);
 
+/// The angle between the middle of the picture and its corners.
+[[nodiscard]] double half_angle_rad(const ViewCamera& camera);
+
 /// OpenGL's perspective matrix: view frame -> clip, depth -1 at near_m and +1 at far_m.
 [[nodiscard]] Eigen::Matrix4f clip_from_view(const ViewCamera& camera);
 

@@ -25,6 +25,17 @@ TEST(ViewCamera, the_default_is_legal) {
   EXPECT_TRUE(ViewCamera{}.check().ok());
 }
 
+TEST(ViewCamera, corners_are_farther_from_the_middle_than_edges) {
+  const ViewCamera square{
+      .world_from_view = {}, .vertical_fov_rad = std::numbers::pi / 2, .width = 500, .height = 500};
+  EXPECT_NEAR(half_angle_rad(square), std::atan(std::sqrt(2.0)), kRounding);
+  const ViewCamera wide{.world_from_view = {},
+                        .vertical_fov_rad = std::numbers::pi / 2,
+                        .width = 1000,
+                        .height = 500};
+  EXPECT_NEAR(half_angle_rad(wide), std::atan(std::sqrt(5.0)), kRounding);
+}
+
 TEST(ViewCamera, what_makes_no_sense_is_refused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto refused = [](auto change) {

@@ -27,7 +27,7 @@ RoomProblem lost_hub(const client::RoomSnapshot& room) {
 }
 
 bool is_silent(const client::RoomSensor& sensor, HostTime now) {
-  if (!sensor.picture) return false;
+  if (!sensor.picture || sensor.is_paused) return false;
   const Seconds three_frames(sensor.fps > 0 ? 3 / sensor.fps : 0);
   return Seconds(now - sensor.picture->received) > std::max<Seconds>(kSilence, three_frames);
 }

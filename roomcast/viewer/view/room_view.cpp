@@ -39,12 +39,26 @@ Status RoomView::show_sensor(const client::RoomSensor& sensor) {
   }
   renderer_.set_unplaced(sensor.id, !sensor.pose.is_placed());
   Uploaded& uploaded = uploaded_[sensor.id];
+  if (sensor.is_paused) return clear_surface(sensor, uploaded);
   if (uploaded.picture == sensor.picture && uploaded.lens == sensor.calibration.depth) return {};
   const codec::DecodedFrame& frame = sensor.picture->frame;
   if (auto status = renderer_.upload(sensor.id, frame.depth_mm, frame.color, frame.color_seen);
       !status)
     return status;
   uploaded = {sensor.picture, sensor.calibration.depth};
+  return {};
+}
+
+/// What moves would stay where it was. The background that the sensor has seen stays.
+Status RoomView::clear_surface(const client::RoomSensor& sensor, Uploaded& uploaded) {
+  const CameraIntrinsics& lens = sensor.calibration.depth;
+  if (uploaded.is_cleared && uploaded.lens == lens) return {};
+  const DepthImage no_depth(lens.width, lens.height);
+  const ColorImage no_color(lens.width, lens.height);
+  const MaskImage none_seen(lens.width, lens.height);
+  if (auto status = renderer_.upload(sensor.id, no_depth, no_color, none_seen); !status)
+    return status;
+  uploaded = {nullptr, lens, true};
   return {};
 }
 

@@ -45,8 +45,10 @@ class RoomView {
   struct Uploaded {
     std::shared_ptr<const client::SensorPicture> picture;
     CameraIntrinsics lens;  // a change of it clears the surface
+    bool is_cleared = false;
   };
   Status show_sensor(const client::RoomSensor& sensor);
+  Status clear_surface(const client::RoomSensor& sensor, Uploaded& uploaded);
 
   render::RoomRenderer renderer_;
   PeopleView people_;

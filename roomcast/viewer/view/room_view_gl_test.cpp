@@ -51,6 +51,18 @@ class RoomViewTest : public testing::Test {
   std::optional<RoomView> view;
 };
 
+TEST_F(RoomViewTest, a_paused_sensor_shows_nothing_until_its_next_picture) {
+  client::RoomSnapshot room = room_with(wall({200, 10, 10}));
+  ASSERT_TRUE(view->show(room).ok());
+  room.sensors[0].is_paused = true;
+  ASSERT_TRUE(view->show(room).ok());
+  EXPECT_NE(middle_of_picture(), (Rgb8{200, 10, 10}));
+  room.sensors[0].is_paused = false;
+  room.sensors[0].picture = wall({10, 200, 10});
+  ASSERT_TRUE(view->show(room).ok());
+  EXPECT_EQ(middle_of_picture(), (Rgb8{10, 200, 10}));
+}
+
 TEST_F(RoomViewTest, the_newest_picture_is_drawn) {
   ASSERT_TRUE(view->show(room_with(wall({200, 10, 10}))).ok());
   EXPECT_EQ(middle_of_picture(), (Rgb8{200, 10, 10}));

@@ -22,7 +22,8 @@ bool is_same(const std::optional<Part>& a, const std::optional<Part>& b) {
 bool is_same(const client::PersonPose& a, const client::PersonPose& b) {
   return is_same(a.world_from_head, b.world_from_head) &&
          is_same(a.world_from_left_hand, b.world_from_left_hand) &&
-         is_same(a.world_from_right_hand, b.world_from_right_hand) && is_same(a.pointer, b.pointer);
+         is_same(a.world_from_right_hand, b.world_from_right_hand) &&
+         is_same(a.pointer, b.pointer) && a.view_half_angle_rad == b.view_half_angle_rad;
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/viewer/xr/headset_view.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,6 +27,18 @@ render::ViewCamera pointer_camera(const RigidTransform& world_from_aim) {
   camera.vertical_fov_rad = kPointerFov_rad;
   camera.world_from_view = world_from_aim;
   return camera;
+}
+
+/// The largest angle between where the head points and what an eye sees. Eyes may look sideways.
+double half_angle_of(const render::Eyes& eyes, const RigidTransform& world_from_head) {
+  const Eigen::Vector3d ahead = -world_from_head.rotation.col(2);
+  double widest = 0;
+  for (const render::ViewCamera& eye : eyes) {
+    const double cosine = ahead.dot(-eye.world_from_view.rotation.col(2));
+    widest =
+        std::max(widest, std::acos(std::clamp(cosine, -1.0, 1.0)) + render::half_angle_rad(eye));
+  }
+  return std::min(widest, std::numbers::pi);
 }
 
 }  // namespace
@@ -105,6 +120,7 @@ Status HeadsetView::draw_eyes(RoomView& room, render::RenderMode mode) {
     return camera;
   };
   const render::Eyes eyes(in_world(in_stage[0]), in_world(in_stage[1]));
+  pose_.view_half_angle_rad = half_angle_of(eyes, pose_.world_from_head);
   if (auto status = picture_.draw(room, eyes, mode); !status) return status;
   headset_->show(*picture_.target());
   return {};

@@ -254,8 +254,8 @@ export class Panel {
   }
 
   private known() {
-    const { broken, connection, roster, status, consoleProblem } = this.state;
-    return { broken, connection, roster, status, consoleProblem };
+    const { broken, connection, roster, status, consoleProblem, unseen } = this.state;
+    return { broken, connection, roster, status, consoleProblem, unseen };
   }
 
   private help(): HTMLElement {

@@ -77,6 +77,11 @@ describe('the list of problems', () => {
     expect(sentences(known({}, [{ ...s0, fps: 0.5 }]), 15_000)).toEqual([]);
   });
 
+  test('has no sensor that is silent because nobody sees what it shows', () => {
+    expect(sentences(known({ unseen: new Set([0]) }), 15_000)).toEqual([]);
+    expect(sentences(known({ unseen: new Set([1]) }), 15_000)).toHaveLength(1);
+  });
+
   test('has an unplaced sensor', () => {
     const lost = { ...s0, placement: Placement.UNPLACED };
     expect(sentences(known({}, [lost]))[0]).toMatch(/Sensor s0 is not placed yet: it is shown/);

@@ -11,6 +11,7 @@ export interface Known {
   status: Status | undefined;
   hubAddress: string;
   consoleProblem?: string;
+  unseen?: ReadonlySet<number>; // sensors that are silent because this viewer cannot see what they show
 }
 
 export interface Problem {
@@ -32,7 +33,8 @@ export function problems(known: Known, room_ms: number | undefined, date_ms: num
   if (connection.phase === 'connecting' || !known.roster) return [notice(texts.connecting(known.hubAddress))];
   const isLoading = connection.openedAt_ms !== undefined && date_ms - connection.openedAt_ms < loading_ms;
   const now_ms = isLoading ? undefined : room_ms;
-  const found = sensorProblems(known.roster, known.status?.sensors ?? [], now_ms, known.hubAddress);
+  const traffic = known.status?.sensors.filter(({ sensor }) => !known.unseen?.has(sensor)) ?? [];
+  const found = sensorProblems(known.roster, traffic, now_ms, known.hubAddress);
   if (known.status?.colorProblem) found.push(notice(known.status.colorProblem));
   if (known.consoleProblem) found.push(notice(known.consoleProblem));
   return found;

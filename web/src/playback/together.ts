@@ -144,5 +144,5 @@ function entryOf({ id, name }: Person): ViewerEntry {
 
 function poseOf({ id, head: [x, y, z, qx, qy, qz, qw] }: Person): ViewerPose {
   const head: Pose = { $typeName: 'roomcast.wire.pb.Pose', x: x!, y: y!, z: z!, qx: qx!, qy: qy!, qz: qz!, qw: qw! };
-  return { $typeName: 'roomcast.wire.pb.ViewerPose', viewerId: firstId + id, head };
+  return { $typeName: 'roomcast.wire.pb.ViewerPose', viewerId: firstId + id, head, viewHalfAngle: 0 };
 }

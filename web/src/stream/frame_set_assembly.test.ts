@@ -26,6 +26,17 @@ describe('a frame set', () => {
     expect(sets).toEqual([{ setId: 7n, frames: ['a', 'b'] }]);
   });
 
+  test('is whole when the hub says that it has no more frames', () => {
+    assembly.arrive(7n, false);
+    assembly.close(7n);
+    expect(sets).toEqual([]);
+    assembly.settle(7n, 'a');
+    expect(sets).toEqual([{ setId: 7n, frames: ['a'] }]);
+    assembly.close(7n);
+    assembly.close(8n); // of which no frame came
+    expect(sets).toHaveLength(1);
+  });
+
   test('waits for a frame that is decoded late', () => {
     assembly.arrive(7n, false);
     assembly.arrive(7n, true);

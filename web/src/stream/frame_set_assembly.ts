@@ -31,6 +31,14 @@ export class FrameSetAssembly<Frame> {
     if (last) set.closed = true;
   }
 
+  /** No more frames of this set will arrive. */
+  close(setId: bigint): void {
+    const set = this.open.get(setId);
+    if (!set) return;
+    set.closed = true;
+    this.deliverWhole();
+  }
+
   /** The frame is decoded, or (undefined) given up. */
   settle(setId: bigint, frame: Frame | undefined): void {
     const set = this.open.get(setId);

@@ -63,6 +63,8 @@ function start(): HubConnection {
       poses: () => seen.push('poses'),
       marks: ({ marks }) => seen.push(`${marks.length} marks`),
       guide: (viewer) => seen.push(`guide ${viewer}`),
+      unseen: ({ paused }) => seen.push(`unseen ${paused.join()}`),
+      setEnded: (setId) => seen.push(`end of ${setId}`),
       frame: (header) => seen.push(`frame ${header.seq}`),
       voices: ({ speaking }) => seen.push(`voices ${speaking.join()}`),
       audio: ({ speaker }, payload) => seen.push(`audio ${speaker}: ${payload.join()}`),
@@ -124,6 +126,14 @@ describe('a hub connection', () => {
     packet[8] = 7; // as the hub does
     socket().sayBytes(packet);
     expect(seen).toEqual(['voices 7', 'audio 7: 8,9']);
+  });
+
+  test('tells which sensors are left out, and where a set ends without its last frame', () => {
+    start();
+    socket().open();
+    socket().say({ case: 'unseenSensors', value: { baseOnly: [1], paused: [2, 3] } });
+    socket().say({ case: 'setEnd', value: { setId: 9n } });
+    expect(seen).toEqual(['unseen 2,3', 'end of 9']);
   });
 
   test('sends audio in room time, numbered from 0, where the room lets it speak', () => {

@@ -147,6 +147,10 @@ export class HubConnection implements RoomSource {
         return this.events.poses(message.value.poses);
       case 'voices':
         return this.events.voices(message.value);
+      case 'unseenSensors':
+        return this.events.unseen(message.value);
+      case 'setEnd':
+        return this.events.setEnded(message.value.setId);
       case 'marks':
         return this.events.marks(message.value);
       case 'guide':

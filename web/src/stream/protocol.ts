@@ -108,6 +108,7 @@ export type FromWorker =
   | { kind: 'marks'; marks: Marks }
   | { kind: 'guide'; viewer: number } // 0: nobody
   | { kind: 'playback'; state: PlaybackState }
+  | { kind: 'unseen'; paused: number[] } // sensors that send nothing, as their surfaces are not in view
   | { kind: 'frames'; setId: bigint; frames: ViewFrame[]; decodedAt_ms: number }
   | { kind: 'status'; status: Status }
   | { kind: 'broken'; sentence: string }; // the worker cannot continue
@@ -159,6 +160,8 @@ export interface Body {
   leftHand: PlainPose | undefined;
   rightHand: PlainPose | undefined;
   pointer?: PlainBeam | undefined;
+  /** The largest angle between the head's -z axis and a direction that one sees, radians; 0: the hub is to send all. */
+  viewHalfAngle?: number;
 }
 
 export function pageTime_ms(): number {

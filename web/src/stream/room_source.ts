@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the messages of a room come from: a hub, live, or a recording.
 import type { RoomClock } from '../clock/room_clock';
-import type { Marks, Roster, ViewerPose, Voices, Welcome } from '../gen/control_pb';
+import type { Marks, Roster, UnseenSensors, ViewerPose, Voices, Welcome } from '../gen/control_pb';
 import type { AudioHeader } from '../wire/audio_header';
 import type { ControlMessage } from '../wire/control';
 import type { FrameHeader } from '../wire/frame_header';
@@ -17,6 +17,10 @@ export interface RoomEvents {
   guide(viewer: number): void;
   /** A hidden frame is decoded, because later ones need it, and not shown. */
   frame(header: FrameHeader, payload: Uint8Array, isHidden?: boolean): void;
+  /** The hub leaves out frames of these sensors, wholly or in part, because this viewer cannot see what they show. */
+  unseen(sensors: UnseenSensors): void;
+  /** The set has no more frames. */
+  setEnded(setId: bigint): void;
   voices(voices: Voices): void;
   audio(header: AudioHeader, payload: Uint8Array): void;
   /** The connection ended; a new one follows. */

@@ -2,7 +2,7 @@
 // Main class of the worker: follows the roster, decodes every sensor's frames, and offers the newest frame sets to the
 // page.
 import type { CodecModule } from '../codec/codec_module';
-import type { Roster } from '../gen/control_pb';
+import type { Roster, UnseenSensors } from '../gen/control_pb';
 import { silence, type HeardPacket, type SpokenPacket } from '../voice/voice_packet';
 import type { AudioHeader } from '../wire/audio_header';
 import { roomRoster } from '../room_roster';
@@ -114,6 +114,8 @@ export class RoomStream {
       marks: (marks) => this.post({ kind: 'marks', marks }),
       guide: (viewer) => this.post({ kind: 'guide', viewer }),
       frame: (header, payload, isHidden) => this.late.put(() => this.push(header, payload, isHidden)),
+      unseen: (sensors) => this.late.put(() => this.followUnseen(sensors)),
+      setEnded: (setId) => this.late.put(() => this.sets.close(setId)),
       voices: (voices) => this.late.put(() => this.post({ kind: 'voices', voices })),
       audio: (header, payload) => this.late.put(() => this.hear(header, payload)),
       disconnected: () => {
@@ -167,6 +169,12 @@ export class RoomStream {
       this.add(id, width, height);
     }
     this.post({ kind: 'roster', roster: roomRoster(roster) });
+  }
+
+  private followUnseen({ baseOnly, paused }: UnseenSensors): void {
+    const incomplete = new Set([...baseOnly, ...paused]);
+    for (const [id, stream] of this.sensors) stream.expectGaps(incomplete.has(id));
+    this.post({ kind: 'unseen', paused });
   }
 
   private add(id: number, width: number, height: number): void {
@@ -255,6 +263,6 @@ export class RoomStream {
 }
 
 /** Hands that are not tracked, and a pointer that is off, are left out of the message. */
-function poseMessage({ head, leftHand, rightHand, pointer }: Body) {
-  return { head, ...(leftHand && { leftHand }), ...(rightHand && { rightHand }), ...(pointer && { pointer }) };
+function poseMessage({ head, leftHand, rightHand, pointer, viewHalfAngle = 0 }: Body) {
+  return { head, viewHalfAngle, ...(leftHand && { leftHand }), ...(rightHand && { rightHand }), ...(pointer && { pointer }) };
 }

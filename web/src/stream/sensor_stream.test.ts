@@ -150,6 +150,16 @@ describe.skipIf(!built)(`a sensor's stream${reason}`, () => {
     expect(stream.traffic.missed).toBe(2);
   });
 
+  test('misses no frame that the hub leaves out because nobody sees it', async () => {
+    const stream = await streamWith(false);
+    stream.push(headerOf(0), payloads[0]!);
+    stream.expectGaps(true);
+    stream.push(headerOf(3), payloads[3]!);
+    stream.expectGaps(false);
+    stream.push(headerOf(3), payloads[3]!);
+    expect(stream.traffic.missed).toBe(0);
+  });
+
   test('with a damaged frame says so, asks for a key frame, and recovers with it', async () => {
     const stream = await streamWith(false);
     stream.push(headerOf(0), payloads[0]!.subarray(0, 100));

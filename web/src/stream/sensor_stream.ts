@@ -44,6 +44,7 @@ export class SensorStream {
   private colors: ColorDecoder | undefined;
   private chunks = 0;
   private newestSeq: number | undefined; // highest received
+  private hasGaps = false; // the hub leaves frames out
 
   constructor(
     readonly sensor: number,
@@ -85,11 +86,17 @@ export class SensorStream {
     this.settleOrDecodeColor(this.frameOf(header, decoded), decoded);
   }
 
+  /** Frames that the hub leaves out, because they show nothing that is seen, are not missed. */
+  expectGaps(hasGaps: boolean): void {
+    this.hasGaps = hasGaps;
+    this.newestSeq = undefined;
+  }
+
   /** The connection was lost: the next one begins with a key frame. Pending frames are settled. */
   restart(): void {
     this.closeColor();
     this.chain.lose();
-    this.newestSeq = undefined;
+    this.expectGaps(false);
   }
 
   /** Another moment of a recording follows, which begins with a key frame. The colour decoder stays: a new one takes long. */
@@ -124,7 +131,7 @@ export class SensorStream {
 
   /** A sensor that reconnects counts from 0 again. */
   private countMissed(seq: number): void {
-    if (this.newestSeq !== undefined && seq > this.newestSeq) this.traffic.missed += seq - this.newestSeq - 1;
+    if (!this.hasGaps && this.newestSeq !== undefined && seq > this.newestSeq) this.traffic.missed += seq - this.newestSeq - 1;
     this.newestSeq = seq;
   }
 

@@ -141,6 +141,14 @@ export class RoomScene {
     }
   }
 
+  /** What moves would stay where it was: of these sensors, only the background that they have seen is drawn. */
+  clear(sensors: readonly number[]): void {
+    for (const sensor of sensors) {
+      const pictures = this.placed.get(sensor)?.pictures;
+      if (pictures?.hasPicture) pictures.clear(this.renderer);
+    }
+  }
+
   /** Sets the detail and the drawn sensors: those that are most useful from `eye`. */
   setQuality({ step, sensors, mixes }: Quality, eye: THREE.Vector3, pixelsPerUnit: number): void {
     if (mixes !== this.mayMix) {

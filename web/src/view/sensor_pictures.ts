@@ -50,6 +50,17 @@ export class SensorPictures {
     renderer.initTexture(this.color);
   }
 
+  /** Nothing is seen until the next frame. */
+  clear(renderer: THREE.WebGLRenderer): void {
+    const pixels = this.lens.width * this.lens.height;
+    this.depth.image.data = new Uint16Array(pixels);
+    this.color.image.data = new Uint8Array(4 * pixels);
+    for (const texture of [this.depth, this.color]) {
+      texture.needsUpdate = true;
+      renderer.initTexture(texture);
+    }
+  }
+
   dispose(): void {
     for (const texture of [this.depth, this.color, this.rays]) texture.dispose();
   }

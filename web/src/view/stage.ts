@@ -15,6 +15,7 @@ export const verticalField_deg = 60;
 const near_m = 0.05;
 const far_m = 100;
 const highestPixelRatio = 2;
+const headsetHalfAngle = 1.22; // 70 degrees
 
 export interface StageEvents {
   /** Once per screen refresh, before drawing. `frame` is set while a headset is active. */
@@ -104,6 +105,18 @@ export class Stage {
 
   follow(roster: RoomRoster, self: number): void {
     this.room.follow(roster, self);
+    this.touch();
+  }
+
+  /** The angle between the middle of the picture and its corners, radians. In a headset: more than any of its eyes sees. */
+  get halfAngle(): number {
+    if (this.renderer.xr.isPresenting) return headsetHalfAngle;
+    const { fov, aspect } = this.camera;
+    return Math.atan(Math.tan(THREE.MathUtils.degToRad(fov) / 2) * Math.hypot(1, aspect));
+  }
+
+  clear(sensors: readonly number[]): void {
+    this.room.clear(sensors);
     this.touch();
   }
 

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+// Measures a viewer who walks along a path and tells the hub where he looks, beside one who tells
+// nothing and gets all frames. Sensors play what was simulated before.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <ctime>
+#include <map>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <tuple>
+#include <utility>
+
+#include "bench/line/line_bench.h"
+#include "bench/line/looked_pictures.h"
+#include "bench/line/looped_source.h"
+#include "bench/line/viewer_path.h"
+#include "roomcast/client/room/calibration_message.h"
+#include "roomcast/client/subscriber.h"
+#include "roomcast/core/interruptible_wait.h"
+#include "roomcast/hub/server/running_hub.h"
+#include "roomcast/hub/visibility/seen_surface.h"
+#include "roomcast/hub/visibility/view_culling.h"
+#include "roomcast/render/view/view_camera.h"
+#include "roomcast/sensor/coarse_depth.h"
+#include "roomcast/sensor/sensor_feed.h"
+
+namespace roomcast::bench {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double kLookingFps = 15;
+constexpr int kLookingFrames = 60;  // of each sensor, played forward and backward
+constexpr auto kStep = 50ms;        // between two poses
+constexpr int kFramesBehind = 2;    // more are late; layer 0 has every second frame
+constexpr int kStepsPerPicture = 10;
+constexpr auto kLookingWarmUp = 5s;
+constexpr double kRadius_m = 1.5;  // of the walk round the room
+constexpr int kManyViewers = 500;
+
+double half_angle() {
+  return render::half_angle_rad({.world_from_view = {},
+                                 .vertical_fov_rad = kLookedFov_rad,
+                                 .width = kLookedSide_px,
+                                 .height = kLookedSide_px});
+}
+
+struct Room {
+  std::unique_ptr<hub::RunningHub> hub;
+  std::vector<std::unique_ptr<sensor::SensorFeed>> feeds;
+  Eigen::Vector2d middle_m = Eigen::Vector2d::Zero();  // on the floor: what the sensors look at
+};
+
+Result<Room> open_room(const LineBenchOptions& options,
+                       const std::function<void(const std::string&)>& say) {
+  Room room;
+  auto hub = hub::RunningHub::start({.port = 0});
+  if (!hub) return hub.error();
+  room.hub = *std::move(hub);
+  std::vector<FloorRay> axes;
+  for (int i = 0; i < options.sensors; ++i) {
+    say("simulating sensor " + std::to_string(i + 1) + " of " + std::to_string(options.sensors));
+    auto source =
+        LoopedSource::capture(options.scene, i, options.sensors, kLookingFps, kLookingFrames);
+    if (!source) return source.error();
+    if (const auto& pose = (*source)->description().world_from_depth) {
+      const Eigen::Vector3d ahead = pose->rotation.col(2);
+      axes.push_back({{pose->translation_m.x(), pose->translation_m.z()}, {ahead.x(), ahead.z()}});
+    }
+    sensor::SensorFeedOptions feed;
+    feed.hub_url = room.hub->url();
+    auto started = sensor::SensorFeed::start(*std::move(source), feed);
+    if (!started) return started.error();
+    room.feeds.push_back(*std::move(started));
+  }
+  room.middle_m = nearest_to_all(axes);
+  return room;
+}
+
+Result<std::unique_ptr<client::Subscriber>> viewer_of(const Room& room) {
+  return client::Subscriber::open({.hub_url = room.hub->url(), .room = {}, .name = {}, .log = {}});
+}
+
+/// Follows the sensors that come into view, and whether their pictures are about as new as those of
+/// the viewer who gets everything.
+class LateSensors {
+ public:
+  void add(const client::RoomSnapshot& whole, const client::RoomSnapshot& culled,
+           const RigidTransform& world_from_head, nanoseconds step) {
+    for (const client::RoomSensor& sensor : whole.sensors) {
+      const auto other = std::ranges::find(culled.sensors, sensor.id, &client::RoomSensor::id);
+      if (!sensor.picture || other == culled.sensors.end() || !other->picture) continue;
+      Watched& watched = watched_[sensor.id];
+      const bool is_seen = sees(sensor, world_from_head);
+      const nanoseconds behind = sensor.picture->capture_time - other->picture->capture_time;
+      const bool is_late =
+          other->is_paused || behind > kFramesBehind * nanoseconds(std::int64_t(1e9 / kLookingFps));
+      if (is_seen && !watched.is_seen) watched.late_ms = 0;
+      if (is_seen && is_late)
+        watched.late_ms += std::chrono::duration<double, std::milli>(step).count();
+      if (!is_seen && watched.is_seen) late_ms_.push_back(watched.late_ms);
+      watched.is_seen = is_seen;
+    }
+  }
+
+  /// Of each time that a sensor came into view; sorted.
+  [[nodiscard]] std::vector<double> late_ms() const {
+    std::vector<double> late = late_ms_;
+    for (const auto& [id, watched] : watched_) {
+      if (watched.is_seen) late.push_back(watched.late_ms);
+    }
+    std::ranges::sort(late);
+    return late;
+  }
+
+ private:
+  struct Watched {
+    bool is_seen = false;
+    double late_ms = 0;
+  };
+
+  /// Really sees: without any margin.
+  static bool sees(const client::RoomSensor& sensor, const RigidTransform& world_from_head) {
+    const auto lens = client::message_from_calibration(sensor.calibration).depth();
+    const hub::SeenSurface surface = hub::seen_surface(
+        sensor::coarse_depth(sensor.picture->frame.depth_mm), lens, sensor.pose.world_from_depth);
+    const hub::ViewCone view{world_from_head.translation_m.cast<float>(),
+                             -world_from_head.rotation.col(2).cast<float>(),
+                             static_cast<float>(half_angle())};
+    constexpr float kRightAngle = 1.5708F;
+    hub::VisibilityOptions strict;
+    strict.all = strict.base_only = {0, kRightAngle, strict.all.enough};
+    return hub::needed_detail(surface, {view}, strict) == hub::Detail::kAll;
+  }
+
+  std::map<SensorId, Watched> watched_;
+  std::vector<double> late_ms_;
+};
+
+struct Walk {
+  std::vector<LookedMoment> moments;
+  LateSensors late;
+  double whole_bytes = 0, culled_bytes = 0;
+};
+
+void send_pose(client::Subscriber& viewer, const RigidTransform& world_from_head) {
+  client::PersonPose pose;
+  pose.world_from_head = world_from_head;
+  pose.view_half_angle_rad = half_angle();
+  viewer.send_pose(pose);
+}
+
+/// The time in the scene of the newest picture.
+nanoseconds scene_time_of(const client::RoomSnapshot& room, int sensors) {
+  RoomTime newest{};
+  std::size_t newest_sensor = 0;
+  for (std::size_t i = 0; i < room.sensors.size(); ++i) {
+    const auto& picture = room.sensors[i].picture;
+    if (!picture || picture->capture_time < newest) continue;
+    newest = picture->capture_time;
+    newest_sensor = i;
+  }
+  const std::string& name = room.sensors[newest_sensor].name;  // "s2"
+  return LoopedSource::scene_time(HostTime(newest.time_since_epoch()), std::stoi(name.substr(1)),
+                                  sensors, kLookingFps, kLookingFrames);
+}
+
+Walk walk(client::Subscriber& whole, client::Subscriber& culled, const ViewerPath& path,
+          const LineBenchOptions& options) {
+  Walk walk;
+  const HostTime begin = SteadyClock().now();
+  const double whole_before = static_cast<double>(whole.snapshot()->bytes_received);
+  const double culled_before = static_cast<double>(culled.snapshot()->bytes_received);
+  HostTime last = begin;
+  for (int step = 1; SteadyClock().now() < begin + options.duration; ++step) {
+    std::ignore = wait_until(begin + step * kStep, {});
+    const HostTime now = SteadyClock().now();
+    const RigidTransform head = path.at(now - begin);
+    send_pose(culled, head);
+    const auto with_all = whole.snapshot(), with_some = culled.snapshot();
+    walk.late.add(*with_all, *with_some, head, now - std::exchange(last, now));
+    if (step % kStepsPerPicture == 0)
+      walk.moments.push_back(
+          {with_all, with_some, head, scene_time_of(*with_all, options.sensors)});
+  }
+  walk.whole_bytes = static_cast<double>(whole.snapshot()->bytes_received) - whole_before;
+  walk.culled_bytes = static_cast<double>(culled.snapshot()->bytes_received) - culled_before;
+  return walk;
+}
+
+/// CPU time of the decisions for many viewers on this path, who started at different times, as a
+/// share of one core.
+double decision_cost(const client::RoomSnapshot& room, const ViewerPath& path) {
+  hub::ViewCulling culling;
+  for (const client::RoomSensor& sensor : room.sensors) {
+    if (!sensor.picture) continue;
+    culling.set_surface(
+        sensor.id, hub::seen_surface(sensor::coarse_depth(sensor.picture->frame.depth_mm),
+                                     client::message_from_calibration(sensor.calibration).depth(),
+                                     sensor.pose.world_from_depth));
+  }
+  constexpr auto kDuration = 5s;
+  std::size_t changes = 0;
+  std::clock_t cpu = 0;
+  for (nanoseconds time = 0s; time < kDuration; time += kStep) {
+    std::vector<wire::pb::ViewerPose> poses;
+    for (int viewer = 0; viewer < kManyViewers; ++viewer) {
+      client::PersonPose pose;
+      pose.world_from_head = path.at(time + viewer * 1s);
+      pose.view_half_angle_rad = half_angle();
+      poses.push_back(client::message_from_pose(pose));
+    }
+    const std::clock_t before = std::clock();
+    for (std::size_t viewer = 0; viewer < poses.size(); ++viewer)
+      culling.viewer_moved(ConnectionId{viewer}, poses[viewer], RoomTime(time));
+    changes += culling.update(RoomTime(time)).size();
+    cpu += std::clock() - before;
+  }
+  return static_cast<double>(cpu) / CLOCKS_PER_SEC /
+         std::chrono::duration<double>(kDuration).count();
+}
+
+double sorted_percentile(const std::vector<double>& sorted, double share) {
+  if (sorted.empty()) return 0;
+  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+}  // namespace
+
+Status measure_looking(const LineBenchOptions& options,
+                       const std::function<void(const std::string&)>& progress,
+                       LineReport& report) {
+  const auto say = [&](const std::string& what) {
+    if (progress) progress(what);
+  };
+  auto path = options.viewer_path.empty()
+                  ? Result<ViewerPath>(ViewerPath::round_walk(kRadius_m, 5min))
+                  : ViewerPath::read(options.viewer_path);
+  if (!path) return path.error();
+  auto room = open_room(options, say);
+  if (!room) return room.error();
+  const ViewerPath in_room = path->around(room->middle_m);
+  auto whole = viewer_of(*room);
+  if (!whole) return whole.error();
+  auto culled = viewer_of(*room);
+  if (!culled) return culled.error();
+  say("warming up");
+  std::this_thread::sleep_for(kLookingWarmUp);
+  say("walking");
+  const Walk walked = walk(**whole, **culled, in_room, options);
+  const double many_share = decision_cost(*(*whole)->snapshot(), in_room);
+  room->feeds.clear();
+  const auto quality = compare_pictures(walked.moments, options.scene, progress);
+  if (!quality) return quality.error();
+
+  const std::vector<double> late_ms = walked.late.late_ms();
+  const double seconds = std::chrono::duration<double>(options.duration).count();
+  const auto add = [&](const char* name, const char* unit, double value) {
+    report.figures.push_back({std::string("looking: ") + name, unit, value});
+  };
+  add("bytes of all frames", "kB/s", walked.whole_bytes / seconds / 1e3);
+  add("bytes", "kB/s", walked.culled_bytes / seconds / 1e3);
+  add("bytes", "% of all", 100 * walked.culled_bytes / walked.whole_bytes);
+  add("PSNR with all frames", "dB", quality->whole_db);
+  add("PSNR", "dB", quality->culled_db);
+  add("pictures", "", quality->moments);
+  add("times that a sensor came into view", "", static_cast<double>(late_ms.size()));
+  add("without a new picture, 99 %", "ms", sorted_percentile(late_ms, 0.99));
+  add("without a new picture, longest", "ms", late_ms.empty() ? 0 : late_ms.back());
+  add("deciding for 500 viewers", "% of a core", 100 * many_share);
+  return {};
+}
+
+}  // namespace roomcast::bench

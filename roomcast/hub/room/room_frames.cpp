@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a Room handles frames: which it takes, the sets that it makes of them, key frames, and which
+// viewers get which sensors' frames.
+#include <iterator>
+#include <utility>
+
+#include "roomcast/hub/room/room.h"
+#include "roomcast/wire/limits.h"
+
+namespace roomcast::hub {
+
+namespace pb = wire::pb;
+
+std::optional<Refusal> Room::fault_of(ConnectionId from, const wire::FrameHeader& header,
+                                      RoomTime now) {
+  const RoomSensor* sensor = sensors_.find(from);
+  if (sensor == nullptr) {
+    return Refusal{pb::ERROR_UNEXPECTED, "only a sensor that has joined may send frames"};
+  }
+  if (header.sensor != sensor->id) {
+    return Refusal{pb::ERROR_UNEXPECTED, "this frame carries the id of another sensor than " +
+                                             std::to_string(sensor->id.value)};
+  }
+  if (header.capture_time > now + wire::kMaxCaptureAhead) {
+    return Refusal{pb::ERROR_MALFORMED,
+                   "this frame was captured in the future: synchronise the clock first"};
+  }
+  return std::nullopt;
+}
+
+RoomActions Room::frame(ConnectionId from, const wire::FrameHeader& header,
+                        net::MessageBuffer message, RoomTime now) {
+  IncomingFrame alone{from, header, std::move(message)};
+  return frames({&alone, 1}, now);
+}
+
+RoomActions Room::frames(std::span<IncomingFrame> together, RoomTime now) {
+  RoomActions out;
+  for (IncomingFrame& frame : together) take_frame(frame, now, out);
+  send_closed_sets(now, out);
+  return out;
+}
+
+void Room::take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out) {
+  if (const auto fault = fault_of(frame.from, frame.header, now)) {
+    std::ranges::move(refuse(frame.from, fault->code, fault->sentence, now),
+                      std::back_inserter(out));
+    return;
+  }
+  RoomSensor& sensor = *sensors_.find(frame.from);
+  if (frame.header.key) sensor.key_pace.key_frame_came();
+  count_frame(frame.header, frame.message.size(), now, sensor.stats);
+  sets_.add_frame(frame.header, std::move(frame.message), now);
+}
+
+RoomActions Room::key_needed(SensorId id, RoomTime now) {
+  RoomActions out;
+  RoomSensor* const sensor = sensors_.find(id);  // null: an old roster, or an invalid ID
+  if (sensor == nullptr || !sensor->connection) return out;
+  if (sensor->key_pace.request(now)) ask_for_key(*sensor, out);
+  return out;
+}
+
+void Room::ask_for_key(const RoomSensor& sensor, RoomActions& out) {
+  pb::Control request;
+  request.mutable_key_request()->set_sensor_id(sensor.id.value);
+  out.push_back(SendControl{{*sensor.connection}, std::move(request)});
+}
+
+void Room::send_closed_sets(RoomTime now, RoomActions& out) {
+  for (FrameSetPtr& set : sets_.take_closed(now)) {
+    count_set(*set, sensors_.online_count(), set_stats_);
+    if (!viewers_.empty()) out.emplace_back(SendSet{std::move(set)});
+  }
+}
+
+/// Tells the culling where this sensor sees surfaces. Nothing is known of a sensor at another hub,
+/// nor of one whose pose is not valid.
+void Room::follow_surface(const RoomSensor& sensor) {
+  const bool is_known = sensor.coarse_depth && sensor.pose.is_placed() && !sensor.pose.is_moved();
+  if (!is_known) return culling_.forget_sensor(sensor.id);
+  culling_.set_surface(sensor.id,
+                       seen_surface(*sensor.coarse_depth, sensor.description.calibration().depth(),
+                                    sensor.pose.world_from_depth));
+}
+
+/// Tells viewers and their queues of the frames that are left out from now on.
+void Room::cull(RoomTime now, RoomActions& out) {
+  for (ViewCulling::Change& change : culling_.update(now)) {
+    pb::Control message;
+    pb::UnseenSensors& unseen = *message.mutable_unseen_sensors();
+    for (std::uint32_t sensor = 0; sensor < change.details.size(); ++sensor) {
+      if (change.details[sensor] == Detail::kBaseOnly) unseen.add_base_only(sensor);
+      if (change.details[sensor] == Detail::kPaused) unseen.add_paused(sensor);
+    }
+    out.push_back(SetDetails{change.viewer, std::move(change.details)});
+    out.push_back(SendControl{{change.viewer}, std::move(message)});
+    for (const SensorId sensor : change.resumed) {
+      std::ranges::move(key_needed(sensor, now), std::back_inserter(out));
+    }
+  }
+}
+
+}  // namespace roomcast::hub

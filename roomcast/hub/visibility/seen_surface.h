@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// SeenSurface: where the surfaces are that a sensor sees, as a few points in the world. Pure.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "roomcast/core/ids.h"
+#include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/wire/control.pb.h"
+
+namespace roomcast::hub {
+
+/// Another sensor that sees a point, too.
+struct OtherView {
+  SensorId sensor;
+  Eigen::Vector3f to_sensor;  // unit vector
+};
+
+struct SurfacePoint {
+  Eigen::Vector3f at_m;       // world frame
+  Eigen::Vector3f to_sensor;  // unit vector
+  std::vector<OtherView> others = {};
+};
+
+/// What a sensor can see of the surfaces of others.
+struct SensorSight {
+  wire::pb::CoarseDepth depth;
+  wire::pb::Intrinsics lens;
+  RigidTransform world_from_depth;
+
+  /// Whether a point of the world, metres, lies about where this sensor sees a surface.
+  [[nodiscard]] bool sees(const Eigen::Vector3f& point_m) const;
+};
+
+struct SeenSurface {
+  std::vector<SurfacePoint> points;
+  SensorSight sight = {};  // by default it sees nothing
+};
+
+/// The centres of all cells in which something is seen, at the nearest and at the farthest
+/// distance. `depth` has passed wire::decode_control. Lens distortion is ignored: it is smaller
+/// than a cell.
+[[nodiscard]] SeenSurface seen_surface(const wire::pb::CoarseDepth& depth,
+                                       const wire::pb::Intrinsics& lens,
+                                       const RigidTransform& world_from_depth);
+
+/// Makes `sensor` one of the others of those points of `surface` that `sight` sees, and of no
+/// others. Null: it is gone.
+void link_other(SensorId sensor, const SensorSight* sight, SeenSurface& surface);
+
+}  // namespace roomcast::hub

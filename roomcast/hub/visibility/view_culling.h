@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// ViewCulling: decides which sensors each viewer of a room needs in which detail, by where the
+// viewers look and where the sensors see surfaces. A sensor comes back at once when a viewer's
+// head, or where it is turning to, makes it needed; it goes after a while only. A viewer that has
+// not told its angle of view, and a sensor whose surfaces are not known, get everything. Pure.
+// docs/spec/wire.md §3 "Only what a viewer looks at".
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "roomcast/core/clock.h"
+#include "roomcast/core/ids.h"
+#include "roomcast/hub/visibility/detail.h"
+#include "roomcast/hub/visibility/head_motion.h"
+#include "roomcast/hub/visibility/seen_surface.h"
+#include "roomcast/hub/visibility/view_visibility.h"
+#include "roomcast/wire/control.pb.h"
+
+namespace roomcast::hub {
+
+struct CullingOptions {
+  VisibilityOptions visibility;
+  std::chrono::milliseconds interval{100};    // between two looks at the same viewer
+  std::chrono::milliseconds look_ahead{300};  // a key frame is asked for, and comes
+  std::chrono::milliseconds keeps_all{500};   // after a sensor was last needed so
+  /// Base layers are sent on for so long after a sensor was last needed. It comes back with a key
+  /// frame, which all viewers get; so with n viewers, this time is n times as long.
+  std::chrono::milliseconds keeps_base{3000};
+};
+
+class ViewCulling {
+ public:
+  explicit ViewCulling(CullingOptions options = {}) : options_(options) {}
+
+  void set_surface(SensorId sensor, SeenSurface surface);
+  /// All viewers get this sensor whole.
+  void forget_sensor(SensorId sensor);
+  /// Without `view_half_angle`, the viewer gets everything from now on.
+  void viewer_moved(ConnectionId viewer, const wire::pb::ViewerPose& pose, RoomTime now);
+  void forget_viewer(ConnectionId viewer) { viewers_.erase(viewer); }
+
+  /// What has changed for a viewer.
+  struct Change {
+    ConnectionId viewer;
+    SensorDetails details;
+    std::vector<SensorId> resumed;  // they were paused
+  };
+  [[nodiscard]] std::vector<Change> update(RoomTime now);
+  /// The time for the next update() if nothing else happens before; nothing: none is needed.
+  [[nodiscard]] std::optional<RoomTime> next() const { return next_; }
+
+ private:
+  struct Need {
+    Detail detail = Detail::kAll;
+    RoomTime all{}, base{};  // when it was last needed so
+  };
+  struct Viewer {
+    HeadMotion head;
+    float half_angle_rad = 0;
+    bool has_changed = true;          // it, or what sensors see
+    RoomTime looked_at{};             // by update()
+    std::optional<RoomTime> revisit;  // when a detail ends without a change
+    std::map<SensorId, Need> needs;
+  };
+
+  void touch(Viewer& viewer, RoomTime now);
+  std::optional<Change> look_at(ConnectionId id, Viewer& viewer, RoomTime now);
+  Detail next_detail(Need& need, Detail needed, Viewer& viewer, RoomTime now) const;
+  [[nodiscard]] std::vector<ViewCone> views_of(const Viewer& viewer, RoomTime now) const;
+  void expect(RoomTime time);
+
+  const CullingOptions options_;
+  std::map<SensorId, SeenSurface> surfaces_;
+  std::map<ConnectionId, Viewer> viewers_;  // that have told their angle of view
+  std::optional<RoomTime> next_;
+};
+
+}  // namespace roomcast::hub

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of a surface a viewer can see, judged by a cone around the direction of his head and by
+// which side of the surface he is on: a sensor that looks at things from the other side shows
+// nothing of what he sees of them. Occlusion is ignored. View culling as such is usual in
+// volumetric video (ViVo, MobiCom 2020; LiVo, CoNEXT 2025); here it needs no decoded frame. Pure.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "roomcast/hub/visibility/detail.h"
+#include "roomcast/hub/visibility/seen_surface.h"
+
+namespace roomcast::hub {
+
+/// A head at one moment.
+struct ViewCone {
+  Eigen::Vector3f eye_m;    // world frame
+  Eigen::Vector3f forward;  // unit vector
+  float half_angle_rad = 0;
+};
+
+/// What of a sensor must be seen so that it is needed.
+struct VisibilityNeed {
+  float beside_rad = 0;  // around the cone
+  /// The largest angle at a point between the directions to the sensor and to the viewer. A surface
+  /// that faces the sensor can be seen at a right angle more.
+  float facing_rad = 0;
+  float enough = 0;  // share of the sensor's points
+};
+
+struct VisibilityOptions {
+  VisibilityNeed all{0.14F, 1.75F, 0.1F};         // 8 and 100 degrees: for Detail::kAll
+  VisibilityNeed base_only{0.52F, 2.1F, 0.015F};  // 30 and 120 degrees: for Detail::kBaseOnly
+  /// By so much must the cosine of another sensor's angle be larger, so that the other shows a
+  /// point better and this one is needed for it in its base only.
+  float better = 0.05F;
+};
+
+/// The detail in which this surface is needed, for a viewer who has one of these heads: now, and
+/// some moments ahead.
+[[nodiscard]] Detail needed_detail(const SeenSurface& surface, const std::vector<ViewCone>& views,
+                                   const VisibilityOptions& options);
+
+}  // namespace roomcast::hub
