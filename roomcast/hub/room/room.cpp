@@ -46,6 +46,7 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
     case pb::Control::kCoarseDepth:
       if (sensor == nullptr) break;
       sensor->coarse_depth = message.coarse_depth();
+      sensor->surface_pose.reset();
       follow_surface(*sensor);
       return out;
     case pb::Control::kSightings:
@@ -229,7 +230,7 @@ std::optional<RoomTime> Room::next_tick() const {
 /// received poses of people whom no roster had named yet.
 void Room::send_roster(RoomTime now, RoomActions& out) {
   place_unplaced_in_row();
-  for (const RoomSensor& sensor : sensors_.all()) follow_surface(sensor);
+  for (RoomSensor& sensor : sensors_.all()) follow_surface(sensor);
   const bool people_changed = std::exchange(roster_changed_, false);
   if (viewers_.empty() && aligners_.empty()) return;
   next_roster_ = now + wire::kRosterInterval;

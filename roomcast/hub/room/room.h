@@ -159,7 +159,7 @@ class Room {
   void ask_for_key(const RoomSensor& sensor, RoomActions& out);
   void take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out);
   void send_closed_sets(RoomTime now, RoomActions& out);
-  void follow_surface(const RoomSensor& sensor);
+  void follow_surface(RoomSensor& sensor);
   void cull(RoomTime now, RoomActions& out);
   void send_roster(RoomTime now, RoomActions& out);
   void place_unplaced_in_row();

@@ -74,14 +74,21 @@ void Room::send_closed_sets(RoomTime now, RoomActions& out) {
   }
 }
 
-/// Tells the culling where this sensor sees surfaces. Nothing is known of a sensor at another hub,
-/// nor of one whose pose is not valid.
-void Room::follow_surface(const RoomSensor& sensor) {
+/// Tells the culling where this sensor sees surfaces, unless it knows. Nothing is known of a sensor
+/// at another hub, nor of one whose pose is not valid.
+void Room::follow_surface(RoomSensor& sensor) {
+  const RigidTransform& pose = sensor.pose.world_from_depth;
   const bool is_known = sensor.coarse_depth && sensor.pose.is_placed() && !sensor.pose.is_moved();
-  if (!is_known) return culling_.forget_sensor(sensor.id);
-  culling_.set_surface(sensor.id,
-                       seen_surface(*sensor.coarse_depth, sensor.description.calibration().depth(),
-                                    sensor.pose.world_from_depth));
+  if (!is_known) {
+    sensor.surface_pose.reset();
+    return culling_.forget_sensor(sensor.id);
+  }
+  const auto& placed = sensor.surface_pose;
+  if (placed && placed->rotation == pose.rotation && placed->translation_m == pose.translation_m)
+    return;
+  sensor.surface_pose = pose;
+  culling_.set_surface(sensor.id, seen_surface(*sensor.coarse_depth,
+                                               sensor.description.calibration().depth(), pose));
 }
 
 /// Tells viewers and their queues of the frames that are left out from now on.

@@ -42,6 +42,7 @@ struct RoomSensor {
   std::uint64_t left_as = 0;                          // counts the departures of all sensors
   std::optional<wire::pb::SensorHealth> health = {};  // the newest of this connection
   std::optional<wire::pb::CoarseDepth> coarse_depth = {};  // likewise
+  std::optional<RigidTransform> surface_pose = {};         // where coarse_depth was placed by it
   double told_depth_scale = 1;                             // on this connection
   KeyRequestPace key_pace = {};
   SensorStats stats = {};  // the counters that change with its frames
