@@ -241,11 +241,11 @@ Result<Parts> parts_of(const FileIndex& index, const std::string& name) {
   const nanoseconds depth_delay = time_tag(index, "K4A_DEPTH_DELAY_NS");
   SensorFileInfo info;
   info.times = times_of(tracks->depth, start_offset);
-  const nanoseconds gap = median_gap(info.times, kNominalGap);
   tracks->color_of_depth =
-      nearest_colors(info.times, times_of(tracks->color, start_offset + depth_delay), gap / 2);
+      nearest_colors(info.times, times_of(tracks->color, start_offset + depth_delay));
   info.description = {sensor_name(tag_of(index, "K4A_DEVICE_SERIAL_NUMBER"), name),
-                      calibration->cameras, std::nullopt, fps_of_gap(gap)};
+                      calibration->cameras, std::nullopt,
+                      fps_of_gap(median_gap(info.times, kNominalGap))};
   info.clock = azure_clock(index, start_offset);
   info.has_color = !tracks->color.empty();
   info.notes = notes_of(index, *calibration);

@@ -31,6 +31,11 @@ std::vector<std::optional<std::size_t>> nearest_colors(const std::vector<nanosec
   return pairs;
 }
 
+std::vector<std::optional<std::size_t>> nearest_colors(
+    const std::vector<nanoseconds>& depth_times, const std::vector<nanoseconds>& color_times) {
+  return nearest_colors(depth_times, color_times, median_gap(depth_times, kNominalGap) / 2);
+}
+
 nanoseconds median_gap(const std::vector<nanoseconds>& times, nanoseconds otherwise) {
   if (times.size() < 2) return otherwise;
   std::vector<nanoseconds> gaps(times.size() - 1);

@@ -16,6 +16,10 @@ namespace roomcast::recording {
     const std::vector<nanoseconds>& depth_times, const std::vector<nanoseconds>& color_times,
     nanoseconds tolerance);
 
+/// The same, within half of the usual time between depth pictures.
+[[nodiscard]] std::vector<std::optional<std::size_t>> nearest_colors(
+    const std::vector<nanoseconds>& depth_times, const std::vector<nanoseconds>& color_times);
+
 /// Between frames, where a recording has a single one.
 inline constexpr nanoseconds kNominalGap = std::chrono::milliseconds(33);
 

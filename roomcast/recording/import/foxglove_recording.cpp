@@ -177,13 +177,9 @@ class FoxgloveCameras {
     }
     const auto lens = lens_of(*calibration_of(*color), false);
     if (!lens) return lens.error();
-    SensorCalibration& calibration = parts.info.description.calibration;
-    calibration.color = lens->camera;
-    calibration.color_from_depth = *color_from_depth;
-    calibration.color_is_registered =
-        color->frame_id == depth.frame_id && calibration.color == calibration.depth;
-    const nanoseconds period = median_gap(parts.info.times, kNominalGap);
-    parts.color_of_depth = nearest_colors(parts.info.times, color->stamps, period / 2);
+    set_color_camera(lens->camera, *color_from_depth, color->frame_id == depth.frame_id,
+                     parts.info.description.calibration);
+    parts.color_of_depth = nearest_colors(parts.info.times, color->stamps);
     parts.color = *color;
     parts.info.has_color = true;
     return {};

@@ -46,6 +46,13 @@ Result<ConvertedLens> lens_of(const ros::CameraInfoMessage& info, bool is_rectif
   return polynomial_lens(lens, kWidestRay);
 }
 
+void set_color_camera(const CameraIntrinsics& color, const RigidTransform& color_from_depth,
+                      bool is_same_frame, SensorCalibration& calibration) {
+  calibration.color = color;
+  calibration.color_from_depth = color_from_depth;
+  calibration.color_is_registered = is_same_frame && color == calibration.depth;
+}
+
 Result<RigidTransform> transform_of(const ros::TransformMessage& message) {
   const auto& q = message.rotation_xyzw;
   const Eigen::Quaterniond rotation(q[3], q[0], q[1], q[2]);

@@ -16,6 +16,11 @@ namespace roomcast::recording {
 /// lens model; kMalformed: not a camera.
 [[nodiscard]] Result<ConvertedLens> lens_of(const ros::CameraInfoMessage& info, bool is_rectified);
 
+/// Sets the colour camera. Its pictures are registered if it is the depth camera itself: the same
+/// frame, and the same lens.
+void set_color_camera(const CameraIntrinsics& color, const RigidTransform& color_from_depth,
+                      bool is_same_frame, SensorCalibration& calibration);
+
 /// kMalformed: not a rigid transform.
 [[nodiscard]] Result<RigidTransform> transform_of(const ros::TransformMessage& message);
 
