@@ -9,6 +9,15 @@
 #include "roomcast/wire/pose_message.h"
 
 namespace roomcast::client {
+namespace {
+
+/// Whether the IDs of a message name this viewer or sensor.
+template <class Id>
+bool names(const google::protobuf::RepeatedField<std::uint32_t>& ids, Id id) {
+  return std::ranges::find(ids, id.value) != ids.end();
+}
+
+}  // namespace
 
 void RoomState::welcome(const wire::pb::Welcome& welcome) {
   room_.connected = true;
@@ -55,9 +64,6 @@ void RoomState::voices(const wire::pb::Voices& voices) {
 }
 
 void RoomState::update_voices() {
-  const auto names = [](const auto& ids, ViewerId id) {
-    return std::ranges::find(ids, id.value) != ids.end();
-  };
   for (RoomPerson& person : room_.people) {
     person.speaking = names(voices_.speaking(), person.id);
     person.muted = names(voices_.muted(), person.id);
@@ -65,9 +71,6 @@ void RoomState::update_voices() {
 }
 
 void RoomState::unseen(const wire::pb::UnseenSensors& unseen) {
-  const auto names = [](const auto& ids, SensorId id) {
-    return std::ranges::find(ids, id.value) != ids.end();
-  };
   for (RoomSensor& sensor : room_.sensors) {
     const bool is_paused = names(unseen.paused(), sensor.id);
     if (is_paused) sensor.is_paused = true;  // until its next frame

@@ -105,12 +105,17 @@ net::FramedMessagePtr SendQueue::next_of(QueuedSet& queued) {
   return std::exchange(queued.must_end, false) ? queued.set->end : nullptr;
 }
 
-bool SendQueue::is_wanted(const wire::FrameHeader& header, bool base_only) {
-  const Detail detail = detail_of(details_, header.sensor);
-  if (detail == Detail::kPaused) {
-    chain_of(header.sensor) = {};  // it goes on with a key frame, which is asked for then
-    return false;
+/// A paused sensor goes on with a key frame, which is asked for then.
+void SendQueue::set_details(SensorDetails details) {
+  details_ = std::move(details);
+  for (std::uint16_t sensor = 0; sensor < details_.size(); ++sensor) {
+    if (details_[sensor] == Detail::kPaused) forget(SensorId{sensor});
   }
+}
+
+bool SendQueue::is_wanted(const wire::FrameHeader& header, bool base_only) const {
+  const Detail detail = detail_of(details_, header.sensor);
+  if (detail == Detail::kPaused) return false;
   return header.layer == 0 || (!base_only && detail == Detail::kAll);
 }
 

@@ -12,7 +12,6 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include <boost/container/small_vector.hpp>
@@ -35,7 +34,7 @@ class SendQueue {
   [[nodiscard]] net::FramedMessagePtr next();
 
   /// The frames to leave out from now on, also of the sets that wait.
-  void set_details(SensorDetails details) { details_ = std::move(details); }
+  void set_details(SensorDetails details);
   /// The sensor has started again: only its key frames can be decoded now.
   void forget(SensorId sensor);
 
@@ -66,7 +65,7 @@ class SendQueue {
   };
 
   [[nodiscard]] net::FramedMessagePtr next_of(QueuedSet& queued);
-  [[nodiscard]] bool is_wanted(const wire::FrameHeader& header, bool base_only);
+  [[nodiscard]] bool is_wanted(const wire::FrameHeader& header, bool base_only) const;
   [[nodiscard]] bool may_deliver(const wire::FrameHeader& header);
 
   void drop_excess();
