@@ -225,7 +225,7 @@ class Page {
       case 'playback':
         return this.playback.show(message.state);
       case 'unseen':
-        this.state.unseen = new Set(message.paused);
+        message.paused.forEach((sensor) => this.state.unseen.add(sensor));
         return this.stage.clear(message.paused);
       case 'frames':
         return this.take(message.setId, message.frames, message.decodedAt_ms);

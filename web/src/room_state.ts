@@ -30,7 +30,7 @@ export class RoomState {
   body: Body | undefined; // current pose of the headset's wearer
   readonly poses = new Map<number, ViewerPose>(); // of the other viewers, as received
   speaking: ReadonlySet<number> = new Set(); // viewers
-  unseen: ReadonlySet<number> = new Set(); // sensors of which the hub sends nothing, as this viewer cannot see what they show
+  readonly unseen = new Set<number>(); // sensors that were paused, as this viewer cannot see what they show; until their next frame
   muted: ReadonlySet<number> = new Set(); // viewers, by an admin
   broken = ''; // reason why the page cannot continue
   consoleProblem = ''; // reason why the console is not there
@@ -97,6 +97,7 @@ export class RoomState {
   setConnection(state: ConnectionState): void {
     if (state.phase === 'connecting') {
       this.complete.clear();
+      this.unseen.clear();
       this.firstDecodedAt_ms = this.firstShownAt_ms = undefined;
     }
     // A page that tries again is still without its hub for the same reason.
@@ -117,7 +118,10 @@ export class RoomState {
   }
 
   framesDecoded(frames: readonly ViewFrame[], at_ms: number): void {
-    frames.forEach((frame) => this.complete.add(frame.sensor));
+    for (const { sensor } of frames) {
+      this.complete.add(sensor);
+      this.unseen.delete(sensor);
+    }
     const online = this.onlineSensors;
     const all = online.length > 0 && online.every((sensor) => this.complete.has(sensor.id));
     if (all) this.firstDecodedAt_ms ??= at_ms;
