@@ -26,7 +26,7 @@ class ViewerPath {
   /// those of reading the file; kMalformed: it has fewer than two poses.
   static Result<ViewerPath> read(const std::filesystem::path& file);
 
-  /// Somebody who walks a round of this radius, looks at its middle, and now and then aside.
+  /// A walk on a circle of this radius, whose walker looks at the middle, and at times aside.
   static ViewerPath round_walk(double radius_m, nanoseconds length);
 
   /// The path, moved so that the middle of what was looked at is above this place on the floor.

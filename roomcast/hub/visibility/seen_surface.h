@@ -24,7 +24,7 @@ struct SurfacePoint {
   std::vector<OtherView> others = {};
 };
 
-/// What a sensor can see of the surfaces of others.
+/// A sensor's view, by which it is known which points of other sensors' surfaces it sees, too.
 struct SensorSight {
   wire::pb::CoarseDepth depth;
   wire::pb::Intrinsics lens;

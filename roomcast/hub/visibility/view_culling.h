@@ -42,7 +42,7 @@ class ViewCulling {
   void viewer_moved(ConnectionId viewer, const wire::pb::ViewerPose& pose, RoomTime now);
   void forget_viewer(ConnectionId viewer) { viewers_.erase(viewer); }
 
-  /// What has changed for a viewer.
+  /// The new details of a viewer.
   struct Change {
     ConnectionId viewer;
     SensorDetails details;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a surface a viewer can see, judged by a cone around the direction of his head and by
-// which side of the surface he is on: a sensor that looks at things from the other side shows
-// nothing of what he sees of them. Occlusion is ignored. View culling as such is usual in
-// volumetric video (ViVo, MobiCom 2020; LiVo, CoNEXT 2025); here it needs no decoded frame. Pure.
+// Judges whether a viewer can see a surface: whether the surface is within a cone around the
+// direction of the viewer's head, and on which side of the surface the viewer is. A sensor that
+// looks from the other side shows nothing that the viewer sees. Occlusion is ignored. View culling
+// as such is usual in volumetric video (ViVo, MobiCom 2020; LiVo, CoNEXT 2025); here it needs no
+// decoded frame. Pure.
 #pragma once
 
 #include <vector>
@@ -21,7 +22,7 @@ struct ViewCone {
   float half_angle_rad = 0;
 };
 
-/// What of a sensor must be seen so that it is needed.
+/// A sensor is needed if so much of its surface is seen, with these margins.
 struct VisibilityNeed {
   float beside_rad = 0;  // around the cone
   /// The largest angle at a point between the directions to the sensor and to the viewer. A surface

@@ -6,9 +6,9 @@
 //   /NAME/depth      foxglove.RawImage           16UC1, millimetres
 //   /NAME/camera     foxglove.CameraCalibration  of both
 //   /tf              foxglove.FrameTransform     world -> NAME, an optical frame
-// Times are UTC where the recording tells its date, else they count from its begin. What the
-// schemas do not tell is metadata of the channels: "up" of /tf, the axis of `world`; "fps" of
-// depth. Single-threaded.
+// Times are UTC if the recording tells its date; otherwise they count from its begin. Metadata of
+// the channels tell what the schemas cannot: "up" of /tf, the axis of `world`; "fps" of depth.
+// Single-threaded.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is in a recording of Foxglove's schemas: its streams of pictures, calibrations and frames,
-// found by reading all messages once. Single-threaded.
+// Finds the streams of pictures, the calibrations and the frames in a recording of Foxglove's
+// schemas, by reading all messages once. Single-threaded.
 #pragma once
 
 #include <cstdint>

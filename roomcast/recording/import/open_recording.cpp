@@ -88,7 +88,8 @@ Error no_format(const fs::path& path) {
               "them)"};
 }
 
-/// What roomcast wrote itself is no recording of another program; the error says what to do.
+/// The error for a file or folder that roomcast itself wrote, which says what to do; `otherwise`
+/// for all others.
 Error own_format(const fs::path& path, Error otherwise) {
   std::error_code ignored;
   if (fs::exists(path / "rig.json", ignored) || fs::exists(path / "depth.txt", ignored))
