@@ -31,7 +31,7 @@ bool names_a_test(const fs::path& path) {
 /// The text of all tests of the source tree.
 std::string all_tests() {
   std::string text;
-  for (const char* folder : {"roomcast", "tests", "web/src"}) {
+  for (const char* folder : {"roomcast", "tests", "web/src", "web/embed"}) {
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
       if (entry.is_regular_file() && names_a_test(entry.path())) text += read_text(entry.path());
     }

@@ -8,7 +8,8 @@ import { type Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
 
 const built = (name: string) => fileURLToPath(new URL(`../build/wasm/${name}.wasm`, import.meta.url));
-const codecs = ['roomcast_codec', 'roomcast_codec_plain'];
+const codecNames = ['roomcast_codec', 'roomcast_codec_plain'];
+export const codecs = codecNames.map((name) => ({ find: new RegExp(`^${name}\\.wasm`), replacement: built(name) }));
 
 /** Fails with a sentence, where the bundler would only say that an import could not be resolved. */
 function requireCodec(): Plugin {
@@ -16,7 +17,7 @@ function requireCodec(): Plugin {
     name: 'roomcast-require-codec',
     apply: 'build',
     buildStart() {
-      const absent = codecs.find((name) => !existsSync(built(name)));
+      const absent = codecNames.find((name) => !existsSync(built(name)));
       if (!absent) return;
       this.error(
         `build/wasm/${absent}.wasm is not built; run \`cmake --preset wasm && cmake --build --preset wasm\` first.`,
@@ -44,7 +45,7 @@ function compress(): Plugin {
 export default defineConfig({
   base: './',
   plugins: [requireCodec(), compress()],
-  resolve: { alias: codecs.map((name) => ({ find: new RegExp(`^${name}\\.wasm`), replacement: built(name) })) },
+  resolve: { alias: codecs },
   worker: { format: 'es' },
   build: {
     outDir: '../build/web',
@@ -53,7 +54,7 @@ export default defineConfig({
     chunkSizeWarningLimit: 1500,
   },
   test: {
-    include: ['src/**/*.test.ts'],
+    include: ['src/**/*.test.ts', 'embed/**/*.test.ts'],
     environment: 'node',
     reporters: process.stdout.isTTY ? ['default'] : ['./test/tap_with_totals.ts'],
   },

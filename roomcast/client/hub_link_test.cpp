@@ -60,7 +60,7 @@ class HubLinkTest : public testing::Test {
     net::HttpServerOptions options;
     options.port = port;
     options.websocket_path = "/elsewhere";
-    options.on_get = [](std::string_view) { return std::nullopt; };
+    options.on_get = [](std::string_view, std::string_view) { return std::nullopt; };
     return std::move(*net::HttpServer::listen(io, std::move(options)));
   }
 

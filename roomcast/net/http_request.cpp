@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/net/http_request.h"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 
@@ -33,6 +34,22 @@ std::string percent_decoded(std::string_view text) {
     plain += text[i];
   }
   return plain;
+}
+
+std::string query_value(std::string_view query, std::string_view name) {
+  const auto decoded = [](std::string_view text) {
+    std::string spaced(text);
+    std::ranges::replace(spaced, '+', ' ');
+    return percent_decoded(spaced);
+  };
+  while (!query.empty()) {
+    const auto part = query.substr(0, query.find('&'));
+    query.remove_prefix(std::min(part.size() + 1, query.size()));
+    const auto equals = std::min(part.find('='), part.size());
+    if (decoded(part.substr(0, equals)) != name) continue;
+    return decoded(part.substr(std::min(equals + 1, part.size())));
+  }
+  return "";
 }
 
 std::string percent_encoded(std::string_view text) {

@@ -26,6 +26,10 @@ using Respond = std::function<void(HttpResponse)>;
 /// "my%20lab" -> "my lab". Invalid escapes are kept unchanged.
 [[nodiscard]] std::string percent_decoded(std::string_view text);
 
+/// The decoded value of the query's part `name`, as browsers read it: of several, the topmost, and
+/// "+" is a space. Empty: it has none.
+[[nodiscard]] std::string query_value(std::string_view query, std::string_view name);
+
 /// "my lab" -> "my%20lab": letters, digits, - _ . stay. The result is the same in every part of an
 /// address.
 [[nodiscard]] std::string percent_encoded(std::string_view text);

@@ -40,9 +40,10 @@ struct HttpServerOptions {
   /// If set, all connections are encrypted; an unencrypted request gets an error answer.
   std::shared_ptr<const TlsServerContext> tls = {};
 
-  /// The answer to GET `path` ("/healthz", without query); nothing means 404. HEAD is derived from
-  /// it. Called on the door's thread.
-  std::function<std::optional<HttpResponse>(std::string_view path)> on_get = {};
+  /// The answer to GET `path` ("/healthz") with `query` ("room=lab&mode=mesh", percent-encoded,
+  /// often empty); nothing means 404. HEAD is derived from it. Called on the door's thread.
+  std::function<std::optional<HttpResponse>(std::string_view path, std::string_view query)> on_get =
+      {};
 
   /// Called on the door's thread for paths that begin with one of `request_paths`; a null
   /// `on_request` means 404.

@@ -36,7 +36,7 @@ class HttpServerTest : public LoopbackTest {
     HttpServerOptions options;
     options.port = 0;
     options.names.hosts = {"x"};  // of request()
-    options.on_get = [this](std::string_view path) { return answer(path); };
+    options.on_get = [this](std::string_view path, std::string_view) { return answer(path); };
     options.on_websocket = [this](std::shared_ptr<WebSocketConnection> connection, std::size_t) {
       connections_.push_back(std::move(connection));
       handlers_.push_back(std::make_shared<RecordingHandler>());

@@ -28,8 +28,8 @@ namespace http = boost::beast::http;
 namespace {
 
 // The page connects to this hub only, unless the answer extends that (page_policy); it runs its own
-// scripts only, and cannot be embedded in a frame. Cross-origin isolation gives it exact clocks and
-// memory shared with its workers.
+// scripts only, and cannot be shown in a frame, unless the answer names a site that may do that.
+// Cross-origin isolation gives it exact clocks and memory shared with its workers.
 constexpr std::pair<std::string_view, std::string_view> kSecurityFields[] = {
     {"Content-Security-Policy", kPagePolicy},
     {"Cross-Origin-Opener-Policy", "same-origin"},
@@ -48,6 +48,12 @@ beast::string_view text(std::string_view view) {
 std::string_view path_of(beast::string_view target) {
   const std::string_view whole(target.data(), target.size());
   return whole.substr(0, whole.find('?'));
+}
+
+std::string_view query_of(beast::string_view target) {
+  const std::string_view whole(target.data(), target.size());
+  const auto mark = whole.find('?');
+  return mark == std::string_view::npos ? std::string_view() : whole.substr(mark + 1);
 }
 
 constexpr std::uint64_t kPieceBytes = 256 << 10;  // of a long body, in memory at a time
@@ -191,7 +197,7 @@ void HttpSession::answer_request() {
   }
   const std::string_view path = path_of(request.target());
   if (path == options_->websocket_path) return upgrade();
-  send(response_for(path), wants_more());
+  send(response_for(path, query_of(request.target())), wants_more());
 }
 
 bool HttpSession::is_api_path(std::string_view path) const {
@@ -252,9 +258,9 @@ bool HttpSession::wants_more() const {
   return body_parser_ ? body_parser_->keep_alive() : parser_->keep_alive();
 }
 
-HttpResponse HttpSession::response_for(std::string_view path) const {
+HttpResponse HttpSession::response_for(std::string_view path, std::string_view query) const {
   if (options_->on_get) {
-    if (auto response = options_->on_get(path)) return *std::move(response);
+    if (auto response = options_->on_get(path, query)) return *std::move(response);
   }
   return text_response(404, "This address does not exist.\n");
 }

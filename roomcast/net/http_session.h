@@ -55,7 +55,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void read_body();
   void refuse_body();
   void call_api();
-  [[nodiscard]] HttpResponse response_for(std::string_view path) const;
+  [[nodiscard]] HttpResponse response_for(std::string_view path, std::string_view query) const;
 
   void send(HttpResponse response, bool keep_alive);
   [[nodiscard]] const RequestHeader& header() const;

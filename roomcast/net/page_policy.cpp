@@ -8,6 +8,7 @@ namespace roomcast::net {
 namespace {
 
 constexpr std::string_view kOwnServer = "connect-src 'self'";
+constexpr std::string_view kNoFrames = "frame-ancestors 'none'";
 constexpr std::uint16_t kHttpPort = 80, kHttpsPort = 443;
 
 std::string address_of(std::string_view scheme, const HubUrl& server) {
@@ -19,8 +20,14 @@ std::string address_of(std::string_view scheme, const HubUrl& server) {
 
 }  // namespace
 
-std::string page_policy(std::span<const HubUrl> others) {
+std::string page_policy(std::span<const HubUrl> others,
+                        std::span<const std::string> embedding_sites) {
   std::string policy(kPagePolicy);
+  if (!embedding_sites.empty()) {
+    std::string frames = "frame-ancestors";
+    for (const std::string& site : embedding_sites) frames += " " + site;
+    policy.replace(policy.find(kNoFrames), kNoFrames.size(), frames);
+  }
   std::string more;
   for (const HubUrl& other : others) more += " " + address_of(other.tls ? "wss" : "ws", other);
   return policy.insert(policy.find(kOwnServer) + kOwnServer.size(), more);

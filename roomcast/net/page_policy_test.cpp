@@ -23,6 +23,13 @@ TEST(PagePolicy, a_page_may_connect_only_to_sockets_of_named_servers) {
               HasSubstr("connect-src 'self' wss://b.example:7600 ws://[::1]:80;"));
 }
 
+TEST(PagePolicy, only_named_sites_may_show_a_page_in_a_frame) {
+  EXPECT_THAT(page_policy({}), testing::EndsWith("frame-ancestors 'none'"));
+  const std::array sites = {std::string("https://a.example"), std::string("http://localhost:80")};
+  EXPECT_THAT(page_policy({}, sites),
+              testing::EndsWith("; frame-ancestors https://a.example http://localhost:80"));
+}
+
 TEST(PagePolicy, a_site_is_written_as_browsers_do) {
   EXPECT_EQ(site_of(*parse_hub_url("wss://B.example:7600/ws")), "https://b.example:7600");
   EXPECT_EQ(site_of(*parse_hub_url("wss://b.example")), "https://b.example");

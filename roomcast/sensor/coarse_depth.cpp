@@ -11,9 +11,9 @@ namespace roomcast::sensor {
 namespace {
 
 constexpr int kColumns = 12, kRows = 9;
-constexpr int kStep = 3;              // every third pixel of every third row is read
+constexpr int kStep = 3;            // every third pixel of every third row is read
 constexpr double kMinShown = 0.05;  // share of a cell's pixels with a reading
-constexpr double kStray = 0.1;        // share of a cell's readings at either end
+constexpr double kStray = 0.1;      // share of a cell's readings at either end
 constexpr std::uint32_t kChange_cm = 15;
 constexpr std::chrono::seconds kLookInterval{1}, kRepeatInterval{5};
 

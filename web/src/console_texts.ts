@@ -110,6 +110,7 @@ export const consoleTexts = {
     maxSensors: 'Maximum sensors',
     recordVoices: 'Recordings have people’s voices',
     listed: 'Listed: shown to people without a token',
+    embedFrom: 'Web sites whose pages may show this room, as in https://example.org; spaces between them',
     view: 'Who may view',
     send: 'Who may send',
     record: 'Who may record',

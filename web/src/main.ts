@@ -3,11 +3,11 @@
 import './theme.css';
 import { accessTo, readAccess, rememberAccess, type Access } from './access';
 import { authorKey } from './author_key';
-import type { Console } from './console/console';
 import { HubApi } from './console/hub_api';
 import type { ViewerEntry, ViewerPose, Voices, Welcome } from './gen/control_pb';
+import type { EmbeddedParts } from './embedding/embedded';
+import { dressPage, isFramed, visitStorage } from './embedding/frame';
 import { enterHeadset, headsetOf } from './headset_view';
-import { LazyConsole } from './lazy_console';
 import { LazyPlayback } from './lazy_playback';
 import { Look } from './look';
 import { Marking } from './marking';
@@ -19,6 +19,7 @@ import type { NudgeEvents } from './panel/nudge_controls';
 import { Panel } from './panel/panel';
 import { namedPicture } from './panel/picture_name';
 import { Progress } from './panel/progress';
+import { RoomConsole } from './room_console';
 import { RoomPlaces } from './room_places';
 import type { RoomRoster } from './room_roster';
 import { RoomState } from './room_state';
@@ -49,7 +50,7 @@ class Page {
   private readonly sound: Sound;
   readonly panel: Panel;
   private readonly progress: Progress;
-  private readonly console: LazyConsole;
+  private readonly console: RoomConsole;
   private readonly api: HubApi;
   private readonly look: Look;
   readonly posePublisher: PosePublisher;
@@ -87,7 +88,7 @@ class Page {
       qualityChosen: (quality) => this.stage.choose(quality),
       sensorSwitched: (sensor, visible) => this.stage.setVisible(sensor, visible),
       themeChosen: (theme) => this.look.choose(theme),
-      consoleWanted: () => void this.tryConsole(this.console.toggle()),
+      consoleWanted: () => this.console.toggle(),
       tokenGiven: (token) => this.comeBackWith(token),
       named: (text) => this.rename(text),
       follow: (viewer) => !this.headset.isOn && this.standpoint.follow.toggle(viewer),
@@ -105,9 +106,9 @@ class Page {
         leave: () => void this.headset.leave(),
       },
     });
-    this.progress = new Progress(document.getElementById('progress')!, this.state);
+    this.progress = new Progress(document.getElementById('progress')!, this.state, !options.controls);
     this.api = new HubApi(() => this.access.token);
-    this.console = new LazyConsole(() => this.loadConsole(hubAddress));
+    this.console = this.makeConsole(hubAddress);
     this.stage = this.openStage();
     this.headset = headsetOf(this.stage, () => this);
     this.look = new Look((isLight) => this.stage.setBackground(isLight ? lightBackground : darkBackground));
@@ -138,6 +139,18 @@ class Page {
     const heads = { own: () => this.body.head, of: (viewer: number) => this.state.poses.get(viewer)?.head };
     const connectHub = (port: MessagePort) => this.link.connectVoice(port);
     return new Sound({ heads, store: browserStorage.store, connectHub }, { loaded: () => this.panel.showPeople() });
+  }
+
+  private makeConsole(hubAddress: string): RoomConsole {
+    const { state, api } = this;
+    return new RoomConsole({
+      ...{ state, api, hubAddress },
+      panel: () => this.panel,
+      here: () => this.standpoint.current,
+      nudge: () => this.nudgeEvents(),
+      hasToken: () => this.access.token !== '',
+      saidOtherwise: () => this.refreshWords(),
+    });
   }
 
   private hearVoices(voices: Voices): void {
@@ -174,9 +187,12 @@ class Page {
 
   private begin(): void {
     const { stage, state, standpoint, headset, sound } = this;
+    dressPage(this.options.controls);
+    if (this.options.muted) sound.hearOthers(false);
+    if (this.options.place) this.places.goToNamed(this.options.place);
     if (this.options.best) this.panel.quality.set('best');
     stage.choose(this.panel.quality.chosen);
-    this.panel.setOpen(this.options.panelOpen ?? matchMedia(roomForPanel).matches);
+    this.panel.setOpen(this.options.panelOpen ?? (!isFramed() && matchMedia(roomForPanel).matches));
     this.setMode(this.options.mode);
     this.look.apply();
     this.panel.setTheme(this.look.theme);
@@ -202,6 +218,12 @@ class Page {
       mode: () => stage.room.drawMode,
       setMode: (mode) => this.setMode(mode),
     };
+  }
+
+  /** The page for another one that shows it in a frame. */
+  get forFrame(): EmbeddedParts {
+    const { state, sound, standpoint, marking, places } = this;
+    return { state, sound, standpoint, marking, places, setMode: (mode) => this.setMode(mode) };
   }
 
   private receive(message: FromWorker): void {
@@ -250,35 +272,13 @@ class Page {
     document.title = `${welcome.room || 'room'} · roomcast`;
     if (welcome.token) this.access.token = welcome.token;
     if (this.access.token) rememberAccess(this.access, tabStorage.store);
-    if (!this.options.playback) void this.offerConsole(welcome.mayPlace);
+    if (!this.options.playback && !isFramed()) void this.console.offer(welcome.mayPlace);
     this.tellPosePublisher();
-  }
-
-  /** For users who may place sensors, and for admins: those to whom the hub tells more of its sensors. */
-  private async offerConsole(mayPlace: boolean): Promise<void> {
-    const room = this.state.welcome?.room ?? '';
-    const isAdmin = this.access.token !== '' && (await this.api.sensors(room).then(() => true, () => false));
-    await this.tryConsole(this.console.offer({ mayNudge: mayPlace, isAdmin }));
-    this.panel.offerConsole(mayPlace || isAdmin);
-  }
-
-  private async loadConsole(hubAddress: string): Promise<Console> {
-    const { Console } = await import('./console/console');
-    return new Console(document.getElementById('console')!, this.state, this.api, hubAddress, {
-      closed: () => this.panel.focusConsole(),
-      here: () => this.standpoint.current,
-      nudge: this.nudgeEvents(),
-    });
-  }
-
-  private async tryConsole(done: Promise<void>): Promise<void> {
-    this.state.consoleProblem = await done.then(() => '', () => problemTexts.noConsole);
-    this.refreshWords();
   }
 
   /** Also for users whom the hub refused: they may have meant another room. */
   private async offerRooms(): Promise<void> {
-    this.panel.offerRooms(await this.api.rooms().catch(() => []));
+    if (!isFramed()) this.panel.offerRooms(await this.api.rooms().catch(() => []));
   }
 
   /** Loads the page again with the token. Returns why that is not possible, or nothing. */
@@ -385,7 +385,7 @@ class Page {
   }
 }
 
-const tabStorage = keptIn(() => sessionStorage);
+const tabStorage = keptIn(visitStorage);
 const browserStorage = keptIn(() => localStorage);
 const options = parseOptions(location.search, location.hash);
 const access = accessTo(options.room, readAccess(location.hash, tabStorage.store));
@@ -397,3 +397,4 @@ if (options.study) {
   const fail = (error: unknown) => page.breakDown(problemTexts.noStudy(String(error)));
   void import('./study/study').then(({ Study }) => new Study(page.forStudy).run()).catch(fail);
 }
+if (isFramed()) void import('./embedding/embedded').then(({ Embedded }) => new Embedded(page.forFrame).begin());

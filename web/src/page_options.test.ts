@@ -15,6 +15,9 @@ describe("the page's URL", () => {
       best: false,
       playback: undefined,
       study: false,
+      controls: true,
+      muted: false,
+      place: '',
       record: false,
     });
   });

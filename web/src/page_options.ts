@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses the options in the page's URL: ?mode=blend|mesh|points &at=x,y,z &look=x,y,z &panel=0 &name=... &room=...
-// &quality=best &play=recording &from=seconds &study=1 &record=1. After the # are the credential (access.ts) and a shared viewpoint (view/view_address.ts), which
+// &quality=best &play=recording &from=seconds &study=1 &record=1 &controls=none &muted=1 &place=name. After the # are the credential (access.ts) and a shared viewpoint (view/view_address.ts), which
 // takes precedence.
 import { Vector3 } from 'three';
 import { parsePoint } from './point';
@@ -18,6 +18,9 @@ export interface PageOptions {
   best: boolean; // draw at the finest quality, however slow: for pictures
   playback: { recording: string; from_s: number } | undefined; // of the room, instead of its live picture
   study: boolean; // as a participant of the study that the hub runs
+  controls: boolean; // show panel, tools and hints
+  muted: boolean; // hear nobody
+  place: string; // that somebody has named for everybody, to start at
   record: boolean; // keep a record of decoded frames, for tests
 }
 
@@ -35,6 +38,9 @@ export function parseOptions(search: string, hash = ''): PageOptions {
     best: given.get('quality') === 'best',
     playback: playbackOf(given),
     study: given.get('study') === '1',
+    controls: given.get('controls') !== 'none',
+    muted: given.get('muted') === '1',
+    place: asName(given.get('place') ?? ''),
     record: given.get('record') === '1',
   };
 }

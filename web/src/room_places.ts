@@ -5,11 +5,13 @@ import { pointsOf } from './marks/points';
 import { OwnPlaces } from './own_places';
 import type { Panel } from './panel/panel';
 import type { PlaceEvents } from './panel/place_list';
+import type { RoomState } from './room_state';
 import type { Standpoint } from './standpoint';
 import type { Store } from './storage';
 import { lookFrom } from './view/view_state';
 
 export interface PlaceParts {
+  state: RoomState;
   panel: Panel;
   standpoint: Standpoint;
   marking: Marking;
@@ -17,6 +19,7 @@ export interface PlaceParts {
 
 export class RoomPlaces {
   private readonly own: OwnPlaces;
+  private wanted = ''; // the place to go to as soon as it is known
 
   /** `parts` is asked for when they are all made. */
   constructor(
@@ -54,7 +57,23 @@ export class RoomPlaces {
   show(): void {
     const { panel, marking } = this.parts();
     const { places, mayMark } = marking;
+    this.goToWanted();
     panel.showPlaces(this.own.list, { places, mayMark, mayRemove: (place) => marking.mayRemove(place) });
+  }
+
+  /** To a place that somebody has named for everybody; when it is known, if it is not yet. */
+  goToNamed(name: string): void {
+    this.wanted = name;
+    this.goToWanted();
+  }
+
+  private goToWanted(): void {
+    const { marking, state } = this.parts();
+    const isThere = state.roster !== undefined; // else the start view would follow
+    const place = isThere && this.wanted && marking.places.find(({ text }) => text === this.wanted);
+    if (!place) return;
+    this.wanted = '';
+    this.events.goToMark(place);
   }
 
   private get standpoint(): Standpoint {

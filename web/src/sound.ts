@@ -90,6 +90,10 @@ export class Sound {
     return this.voice?.isSending ?? false;
   }
 
+  get hears(): boolean {
+    return this.wantsToHear;
+  }
+
   hearOthers(wanted: boolean): void {
     this.wantsToHear = wanted;
     this.voice?.hearOthers(wanted);

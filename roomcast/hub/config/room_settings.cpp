@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/hub/config/room_settings.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -10,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "roomcast/net/web_site.h"
 #include "roomcast/wire/name_check.h"
 
 namespace roomcast::hub {
@@ -82,6 +84,31 @@ bool read(const Json& json, std::vector<StartPosition>& positions) {
   return true;
 }
 
+bool read(const Json& json, std::vector<std::string>& texts) {
+  if (!json.is_array()) return false;
+  std::vector<std::string> read_ones(json.size());
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    if (!read(json[i], read_ones[i])) return false;
+  }
+  texts = std::move(read_ones);
+  return true;
+}
+
+/// As browsers write them, each once.
+Status put_in_order(std::vector<std::string>& sites) {
+  if (sites.size() > kMaxEmbedSites)
+    return invalid_argument("embed_from names " + std::to_string(kMaxEmbedSites) +
+                            " web sites at most");
+  std::vector<std::string> in_order;
+  for (const std::string& text : sites) {
+    auto site = net::parse_web_site(text);
+    if (!site) return invalid_argument("embed_from: " + site.error().message);
+    if (std::ranges::find(in_order, *site) == in_order.end()) in_order.push_back(*std::move(site));
+  }
+  sites = std::move(in_order);
+  return {};
+}
+
 Json to_json(const StartPosition& position) {
   return {{"x", position.x_m},
           {"z", position.z_m},
@@ -108,7 +135,8 @@ std::map<std::string, Reader> readers_into(RoomSettings& s) {
           {"mark", into(s.mark)},
           {"record_voices", into(s.record_voices)},
           {"stream_unwatched", into(s.stream_unwatched)},
-          {"start_positions", into(s.start_positions)}};
+          {"start_positions", into(s.start_positions)},
+          {"embed_from", into(s.embed_from)}};
 }
 
 }  // namespace
@@ -171,7 +199,8 @@ Json to_json(const RoomSettings& settings) {
           {"mark", name_of(settings.mark)},
           {"record_voices", settings.record_voices},
           {"stream_unwatched", settings.stream_unwatched},
-          {"start_positions", std::move(positions)}};
+          {"start_positions", std::move(positions)},
+          {"embed_from", settings.embed_from}};
 }
 
 Result<RoomSettings> changed(RoomSettings settings, const Json& changes) {
@@ -183,6 +212,7 @@ Result<RoomSettings> changed(RoomSettings settings, const Json& changes) {
     if (!reader->second(value))
       return invalid_argument("this is no value for a room's \"" + key + "\"");
   }
+  if (auto status = put_in_order(settings.embed_from); !status) return status.error();
   if (auto status = check(settings); !status) return status.error();
   return settings;
 }

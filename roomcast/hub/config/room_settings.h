@@ -56,9 +56,11 @@ struct RoomSettings {
   bool record_voices = true;                        // recorders get people's voices, too
   bool stream_unwatched = false;                    // sensors send frames while nobody watches, too
   std::vector<StartPosition> start_positions = {};  // used in turn; none: next to the sensors
+  std::vector<std::string> embed_from = {};         // web sites whose pages may show this room
 };
 
 inline constexpr std::size_t kMaxStartPositions = 64;
+inline constexpr std::size_t kMaxEmbedSites = 16;
 
 /// kInvalidArgument: a limit is exceeded, or a name is invalid.
 [[nodiscard]] Status check(const RoomSettings& settings);

@@ -29,7 +29,8 @@ TEST(RoomSettings, survive_conversion_to_json) {
                               .speak = AccessRule::kAdmin,
                               .record_voices = false,
                               .stream_unwatched = true,
-                              .start_positions = {{.x_m = 1, .z_m = -2, .eye_height_m = 1.7}}};
+                              .start_positions = {{.x_m = 1, .z_m = -2, .eye_height_m = 1.7}},
+                              .embed_from = {"https://example.org"}};
   const auto read = changed({}, to_json(settings));
   ASSERT_TRUE(read.ok()) << read.error().message;
   EXPECT_EQ(to_json(*read), to_json(settings));
@@ -56,6 +57,26 @@ TEST(RoomSettings, a_wrong_field_or_value_is_named) {
   EXPECT_NE(settings_fault({{"record_voices", "nobody"}}), "");
   EXPECT_NE(settings_fault({{"stream_unwatched", "yes"}}), "");
   EXPECT_NE(settings_fault(Json::array()), "");
+}
+
+TEST(RoomSettings, sites_that_may_show_the_room_are_written_as_browsers_do) {
+  const auto settings =
+      changed({}, {{"embed_from", {"https://Example.org:443", "https://example.org"}}});
+  ASSERT_TRUE(settings.ok()) << settings.error().message;
+  EXPECT_EQ(settings->embed_from, std::vector<std::string>{"https://example.org"});
+  EXPECT_TRUE(changed(*settings, {{"embed_from", Json::array()}})->embed_from.empty());
+}
+
+TEST(RoomSettings, what_is_no_site_may_not_show_the_room) {
+  EXPECT_NE(settings_fault({{"embed_from", {"*"}}}).find("\"*\" is no web site"),
+            std::string::npos);
+  EXPECT_NE(settings_fault({{"embed_from", {"https://a.org/; x"}}}).find("without a path"),
+            std::string::npos);
+  EXPECT_NE(settings_fault({{"embed_from", "https://a.org"}}), "");
+  EXPECT_NE(settings_fault({{"embed_from", {1}}}), "");
+  Json many = Json::array();
+  for (int i = 0; i <= 16; ++i) many.push_back("https://a" + std::to_string(i) + ".org");
+  EXPECT_NE(settings_fault({{"embed_from", many}}).find("16 web sites at most"), std::string::npos);
 }
 
 TEST(RoomSettings, a_room_needs_a_valid_name) {

@@ -55,11 +55,13 @@ void RoomRegistry::open(const RoomSettings& settings, KnownRoom known) {
       .on_removed = [this](const Disconnect& end) { on_removed(end); }};
   rooms_[settings.name] =
       std::make_shared<RoomRunner>(RoomId{next_room_id_++}, std::move(room), std::move(context));
+  embed_sites_.set(settings.name, settings.embed_from);
   if (backplane_ != nullptr) backplane_->room_opened(settings.name);
 }
 
 void RoomRegistry::change(const RoomSettings& settings) {
   rooms_.at(settings.name)->change(settings);
+  embed_sites_.set(settings.name, settings.embed_from);
 }
 
 void RoomRegistry::close(const std::string& name) {
@@ -68,6 +70,7 @@ void RoomRegistry::close(const std::string& name) {
   found->second->close("this room was closed");
   std::erase_if(dropped_sets_,
                 [id = found->second->id()](const auto& entry) { return entry.first.first == id; });
+  embed_sites_.set(name, {});
   rooms_.erase(found);
 }
 

@@ -23,6 +23,7 @@
 #include "roomcast/hub/config/room_settings.h"
 #include "roomcast/hub/room/room_stats.h"
 #include "roomcast/hub/runtime/backplane.h"
+#include "roomcast/hub/runtime/embed_sites.h"
 #include "roomcast/hub/runtime/room_runner.h"
 #include "roomcast/hub/runtime/session.h"
 #include "roomcast/hub/runtime/shard.h"
@@ -96,6 +97,10 @@ class RoomRegistry final : public BackplaneEvents {
     return backplane_ == nullptr ? std::nullopt : std::optional(backplane_->stats());
   }
 
+  /// The web sites whose pages may show this room. Any thread.
+  [[nodiscard]] std::vector<std::string> embedding_sites(const std::string& room) const {
+    return embed_sites_.of(room);
+  }
   /// Whether the address is not banned. Any thread.
   [[nodiscard]] bool may_connect(const std::string& peer) const;
 
@@ -163,6 +168,7 @@ class RoomRegistry final : public BackplaneEvents {
   std::unordered_map<ConnectionId, Client> clients_;  // clients that asked to join or are in a room
   std::set<RoomId> in_use_;                           // rooms that have had a sensor
   BanList bans_;
+  EmbedSites embed_sites_;
   std::uint64_t refused_joins_ = 0;
   net::Timer timer_;
   std::unordered_map<ConnectionId, Sent> sent_;

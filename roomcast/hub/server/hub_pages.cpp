@@ -13,6 +13,9 @@ namespace roomcast::hub {
 
 namespace {
 
+// What pages of other sites load to show a room (web/embed).
+constexpr std::string_view kEmbedScript = "/roomcast-view.js";
+
 constexpr char kNoPage[] =
     "This is a roomcast hub without the web viewer. Start it with --web DIR, where DIR holds the "
     "built page (build/web).\n";
@@ -35,11 +38,19 @@ std::vector<std::string> HubPages::request_paths() {
   return {"/api/", "/healthz", "/metrics"};
 }
 
-std::optional<net::HttpResponse> HubPages::find(std::string_view path) const {
+std::optional<net::HttpResponse> HubPages::find(std::string_view path,
+                                                std::string_view query) const {
   if (site_) {
     auto page = site_->find(path);
     if (!page) return page;
-    page->headers.emplace_back("Content-Security-Policy", peer_origins_.policy());
+    std::vector<std::string> sites;
+    if (page->content_type.starts_with("text/html"))
+      sites = registry_.embedding_sites(net::query_value(query, "room"));
+    page->headers.emplace_back("Content-Security-Policy", peer_origins_.policy(sites));
+    // Sites that are isolated themselves show only what says that anybody may load it.
+    if (!sites.empty() || path == kEmbedScript)
+      page->headers.emplace_back("Cross-Origin-Resource-Policy", "cross-origin");
+    if (path == kEmbedScript) page->headers.emplace_back("Access-Control-Allow-Origin", "*");
     // A worker's policy is sent with its script, so the browser must revalidate the script.
     if (page->content_type.starts_with("text/javascript")) page->cache_control = "no-cache";
     return page;

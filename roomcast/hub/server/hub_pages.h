@@ -34,7 +34,10 @@ class HubPages {
   /// The path prefixes that go to answer().
   [[nodiscard]] static std::vector<std::string> request_paths();
 
-  [[nodiscard]] std::optional<net::HttpResponse> find(std::string_view path) const;
+  /// The page can be shown in a frame by the sites that the room in its query allows, and its
+  /// address must name the room for that: a page may join no other room than its address says.
+  [[nodiscard]] std::optional<net::HttpResponse> find(std::string_view path,
+                                                      std::string_view query) const;
   /// The other hubs that pages may reach. Same thread as find().
   [[nodiscard]] PeerOrigins& peer_origins() { return peer_origins_; }
   void answer(net::HttpRequest request, net::Respond respond);

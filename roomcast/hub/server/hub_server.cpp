@@ -169,7 +169,9 @@ net::HttpServerOptions HubServer::Loop::http_options() {
   http.allows_origin = [this](std::string_view origin) {
     return pages_->peer_origins().has(origin);
   };
-  http.on_get = [this](std::string_view path) { return pages_->find(path); };
+  http.on_get = [this](std::string_view path, std::string_view query) {
+    return pages_->find(path, query);
+  };
   http.request_paths = HubPages::request_paths();
   http.on_request = [this](net::HttpRequest request, net::Respond respond) {
     pages_->answer(std::move(request), std::move(respond));

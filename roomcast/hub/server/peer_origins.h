@@ -33,8 +33,11 @@ class PeerOrigins {
     return std::ranges::any_of(hubs_,
                                [origin](const auto& hub) { return net::site_of(hub) == origin; });
   }
-  /// The content security policy for the page of this hub.
-  [[nodiscard]] std::string policy() const { return net::page_policy(hubs_); }
+  /// The content security policy for the page of this hub, which pages of `embedding_sites` may
+  /// show.
+  [[nodiscard]] std::string policy(const std::vector<std::string>& embedding_sites = {}) const {
+    return net::page_policy(hubs_, embedding_sites);
+  }
 
  private:
   std::vector<net::HubUrl> hubs_;  // newest last

@@ -19,6 +19,7 @@ export interface RoomSettings {
   max_sensors?: number;
   max_viewers?: number;
   listed?: boolean;
+  embed_from?: string[]; // web sites
   send?: Who;
   view?: Who;
   record?: Who;

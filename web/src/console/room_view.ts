@@ -12,6 +12,7 @@ const texts = consoleTexts.room;
 const longestName = 64;
 const mostViewers = 2048;
 const mostSensors = 32;
+const longestSites = 2048; // characters, of all
 
 export class RoomView {
   readonly root = element('div', { class: 'room-settings' });
@@ -53,6 +54,7 @@ export class RoomView {
     const maxSensors = numberField(1, mostSensors, room.max_sensors ?? mostSensors);
     const recordVoices = checkbox(room.record_voices ?? false);
     const listed = checkbox(room.listed ?? true);
+    const embedFrom = textField(longestSites, room.embed_from?.join(' '));
     const rights = (['view', 'speak', 'mark', 'send', 'record', 'export'] as const).map((right) => ({
       right,
       field: choice<Who>(texts.who, room[right] ?? 'anyone'),
@@ -64,6 +66,7 @@ export class RoomView {
       ...rights.map(({ right, field }) => labelled(texts[right], field)),
       labelled(texts.recordVoices, recordVoices, 'field box'),
       labelled(texts.listed, listed, 'field box'),
+      labelled(texts.embedFrom, embedFrom, 'field long'),
       submit(texts.save),
     );
     this.form.onsubmit = (event) => {
@@ -74,6 +77,7 @@ export class RoomView {
           max_viewers: Number(maxViewers.value),
           max_sensors: Number(maxSensors.value),
           listed: listed.checked,
+          embed_from: embedFrom.value.split(/[\s,]+/).filter((site) => site !== ''),
           ...(room.record_voices !== undefined && { record_voices: recordVoices.checked }),
           ...Object.fromEntries(rights.map(({ right, field }) => [right, field.value as Who])),
         });

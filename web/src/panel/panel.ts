@@ -268,7 +268,7 @@ export class Panel {
     const { signIn, signInHelp, enter } = signInTexts;
     const token = textField(longestToken);
     const said = element('p', { role: 'status' });
-    const form = element('form', {}, labelled(signIn, token), element('p', {}, signInHelp), submit(enter), said);
+    const form = element('form', { class: 'token' }, labelled(signIn, token), element('p', {}, signInHelp), submit(enter), said);
     form.addEventListener('submit', (event) => {
       event.preventDefault();
       if (token.value.trim() !== '') setText(said, this.events.tokenGiven(token.value.trim()));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Progress until the room is first visible: the connection, then a picture of every sensor.
+// Progress until the room is first visible: the connection, then a picture of every sensor. Where there is no panel,
+// also what is wrong.
 import type { RoomState } from '../room_state';
 import { progressTexts as texts } from '../texts';
 import { element, setText } from './element';
@@ -14,14 +15,21 @@ export class Progress {
   constructor(
     private readonly root: HTMLElement,
     private readonly state: RoomState,
+    private readonly saysFaults: boolean,
   ) {
     root.replaceChildren(this.words, this.bar); // instead of the words for the time before the script has come
     this.refresh();
   }
 
   refresh(): void {
-    if (this.root.hidden) return;
     const { state } = this;
+    const fault = this.saysFaults ? state.broken || state.connection.sentence : '';
+    this.bar.hidden = fault !== '';
+    if (fault) {
+      this.root.hidden = false;
+      return setText(this.words, fault);
+    }
+    if (this.root.hidden) return;
     const online = state.onlineSensors;
     const shown = online.filter(({ id }) => state.shownSeqs.has(id)).length;
     const joined = state.connection.phase === 'joined' && state.roster !== undefined;

@@ -65,6 +65,11 @@ export class RoomLink {
     this.tell({ kind: 'stats', lastSetId, shownFps, latency_ms });
   }
 
+  /** Leaves the room. */
+  end(): void {
+    this.worker.terminate();
+  }
+
   private tell(message: ToWorker): void {
     this.worker.postMessage(message);
   }

@@ -16,7 +16,7 @@ export interface Viewpoint {
   mode: DrawMode | undefined;
 }
 
-function isWithinLimits({ x, y, z }: Vector3): boolean {
+export function isWithinLimits({ x, y, z }: Vector3): boolean {
   return [x, y, z].every((metres) => Math.abs(metres) <= maxPosition_m);
 }
 
