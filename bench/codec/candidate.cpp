@@ -101,6 +101,7 @@ CodecBenchRow Candidate::row(int first, int key_interval) const {
   CodecBenchRow row;
   row.codec = choice_.codec;
   row.mode = choice_.mode;
+  row.curve = choice_.curve;
   add_bytes(first, key_interval, row);
   add_quality(first, row);
   return row;

@@ -13,7 +13,9 @@ namespace {
 Result<std::vector<Candidate>> make_candidates(const BenchPicture& picture, bool has_color,
                                                const CodecBenchOptions& options) {
   std::vector<Candidate> candidates;
-  for (CodecChoice& choice : codec_choices(options.only, options.target_mbit)) {
+  std::vector<CodecChoice> choices =
+      options.choices.empty() ? codec_choices(options.only, options.target_mbit) : options.choices;
+  for (CodecChoice& choice : choices) {
     if (choice.needs_color && !has_color) continue;
     auto made = choice.make(picture);
     if (made.ok()) {

@@ -26,7 +26,8 @@ struct CodecBenchOptions {
   std::string only;                               // a codec or a mode; empty: all
   int color_kbit_per_s = codec::kUsualColorKbit;  // for colour codecs with rate control
   int most_frames = 300;
-  std::vector<double> target_mbit = {};  // rates of additional rows
+  std::vector<double> target_mbit = {};   // rates of additional rows
+  std::vector<CodecChoice> choices = {};  // instead of `only` and `target_mbit`, if not empty
   double warm_up_s = 1;
   double key_every_s = 4;
 };
@@ -47,6 +48,7 @@ struct DepthQuality {
 
 struct CodecBenchRow {
   std::string codec, mode;
+  std::string curve = {};                   // CodecChoice::curve
   double depth_bytes = 0, color_bytes = 0;  // per frame, including key frames
   double key_bytes = 0, delta_bytes = 0;  // depth and colour, of a key frame and of any other frame
   double depth_bits_per_pixel = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <iomanip>
 #include <ostream>
+#include <string>
 
 #include <nlohmann/json.hpp>
 
@@ -80,8 +82,15 @@ std::optional<double> if_any(double value) {
   return value > 0 ? std::optional(value) : std::nullopt;
 }
 
-void put_row(std::ostream& out, const CodecBenchRow& row) {
-  out << std::left << std::setw(13) << row.codec << std::setw(11) << row.mode << std::right;
+/// Of the column of modes, for its longest name.
+int mode_width(const CodecBenchReport& report) {
+  std::size_t width = 11;
+  for (const CodecBenchRow& row : report.rows) width = std::max(width, row.mode.size() + 1);
+  return static_cast<int>(width);
+}
+
+void put_row(std::ostream& out, const CodecBenchRow& row, int mode_width) {
+  out << std::left << std::setw(13) << row.codec << std::setw(mode_width) << row.mode << std::right;
   put(out, 9, 0, if_any(row.depth_bytes));
   put(out, 7, 3, if_any(row.depth_bits_per_pixel));
   put(out, 9, 0, if_any(row.color_bytes));
@@ -143,17 +152,21 @@ void print_table(const CodecBenchReport& report, std::ostream& out) {
     out << std::fixed << std::setprecision(1) << "; " << *report.moving_share * 100
         << " % of the pixels move, " << *report.slow_share * 100 << " % slowly";
   }
+  const int width = mode_width(report);
+  const std::string blanks(static_cast<std::size_t>(width - 11), ' ');
   out << "\nBytes per frame with a key frame every " << std::setprecision(1) << std::fixed
       << report.key_every_s << " s; MB/s at 30 frames/s; CPU ms of one thread; depth errors in mm; "
       << "PSNR of luma against " << name_of(report.color_reference)
       << " colour, over pixels shown, "
       << "shown on the measured surface, all seen\n\n"
+      << blanks
       << "                           depth          colour             CPU ms       to input  "
          "      depth error to truth  to noise-free reading   >20mm    lost          colour "
          "PSNR\n"
-      << "codec        mode        B/frame    bpp  B/frame    MB/s  encode  decode     rms   max  "
+      << "codec        mode " << blanks
+      << "       B/frame    bpp  B/frame    MB/s  encode  decode     rms   max  "
          "   rms static  slow moving static  slow moving  /frame /frame   shown surface   all\n";
-  for (const CodecBenchRow& row : report.rows) put_row(out, row);
+  for (const CodecBenchRow& row : report.rows) put_row(out, row, width);
   for (const CodecBenchRow& row : report.rows) put_still_error(out, row);
 }
 

@@ -11,6 +11,9 @@
 namespace roomcast::bench {
 namespace {
 
+constexpr int kAv1Quality = 10;  // even finer levels smear edges
+constexpr int kJpegQuality = 85;
+
 CodecChoice near_lossless(int bound_mm) {
   return {"roomcast", "near-" + std::to_string(bound_mm) + "mm", false, bound_mm,
           [bound_mm](const BenchPicture& picture) {
@@ -42,10 +45,22 @@ std::vector<CodecChoice> codec_choices(const std::string& only,
       near_lossless(1),
       near_lossless(2),
       near_lossless(5),
-      {"temporal-rvl", "10mm", false, {}, make_temporal_rvl},
-      {"av1", "depth", false, {}, make_av1_depth},
+      {"temporal-rvl",
+       "10mm",
+       false,
+       {},
+       [](const BenchPicture& picture) { return make_temporal_rvl(picture, 10); }},
+      {"av1",
+       "depth",
+       false,
+       {},
+       [](const BenchPicture& picture) { return make_av1_depth(picture, kAv1Quality); }},
       {"roomcast", "live", false, {}, make_roomcast_live},
-      {"jpeg", "color", true, {}, make_jpeg},
+      {"jpeg",
+       "color",
+       true,
+       {},
+       [](const BenchPicture& picture) { return make_jpeg(picture, kJpegQuality); }},
       {"h264", "color", true, {}, make_h264_color},
       {"roomcast", "color", true, {}, make_roomcast_color},
       {"roomcast", "live+color", true, {}, make_roomcast_live_with_color},

@@ -17,6 +17,7 @@ struct CodecChoice {
   bool needs_color = false;
   std::optional<int> bound_mm;  // maximum error of any pixel, with exact validity; 0: lossless
   std::function<Result<std::unique_ptr<CodecUnderTest>>(const BenchPicture&)> make;
+  std::string curve = {};  // of which this is a point in the chart of --curves; empty: of none
 };
 
 /// All codecs, or those whose codec is `only` or whose mode begins with it. Besides fixed qualities

@@ -8,12 +8,15 @@
 #include <fmt/format.h>
 
 #include "bench/codec/codec_bench.h"
+#include "bench/codec/curves/curve_choices.h"
+#include "bench/codec/curves/rate_chart.h"
 #include "bench/codec/filtered_input.h"
 #include "bench/register_bench.h"
 #include "roomcast/cli/bench_commands.h"
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/number_option.h"
 #include "roomcast/cli/status_line.h"
+#include "roomcast/io/file_bytes.h"
 
 namespace roomcast::cli {
 namespace {
@@ -22,6 +25,7 @@ struct CodecCommandOptions {
   std::string input = "sim:studio";
   bench::BenchInputOptions simulator;
   bench::CodecBenchOptions bench;
+  std::string curves;  // a file; empty: the usual table
   bool filtered = false;
   bool json = false;
 };
@@ -30,10 +34,23 @@ Status run_codec(const CodecCommandOptions& options) {
   auto input = bench::open_bench_input(options.input, options.simulator);
   if (!input) return input.error();
   if (options.filtered) *input = bench::without_interference(*std::move(input));
+  bench::CodecBenchOptions what = options.bench;
+  if (!options.curves.empty()) what.choices = bench::curve_choices();
   StatusLine line;
   const auto report = bench::run_codec_bench(
-      **input, options.bench, [&line](int frame) { line.show(fmt::format("frame {}", frame)); });
+      **input, what, [&line](int frame) { line.show(fmt::format("frame {}", frame)); });
   if (!report) return report.error();
+  if (!options.curves.empty()) {
+    const std::string caption =
+        fmt::format("{}{}, {}x{} at {:g} frames/s, {} frames",
+                    report->input.starts_with("sim") ? "Simulated: " : "", report->input,
+                    report->width, report->height, report->fps, report->measured_frames);
+    if (Status written =
+            io::write_file(options.curves, bench::rate_chart(bench::rate_panels(*report), caption));
+        !written) {
+      return written;
+    }
+  }
   options.json ? bench::print_json(*report, std::cout) : bench::print_table(*report, std::cout);
   return {};
 }
@@ -46,8 +63,9 @@ void add_codec_bench(CLI::App& bench, Command& chosen) {
       ->add_option("input", options->input,
                    "rig:DIR#s0, tum:DIR, a folder (of a rig the first sensor), sim[:scene][#n]")
       ->capture_default_str();
-  command->add_option("--codec,--mode", options->bench.only,
-                      "Only this codec, or modes that begin like this: roomcast, lossless");
+  CLI::Option* only =
+      command->add_option("--codec,--mode", options->bench.only,
+                          "Only this codec, or modes that begin like this: roomcast, lossless");
   command->add_option("--frames", options->bench.most_frames, "Maximum number of frames")
       ->check(within(1, 10'000))
       ->capture_default_str();
@@ -64,11 +82,17 @@ void add_codec_bench(CLI::App& bench, Command& chosen) {
                    "Bit rate of colour where there is rate control, kbit/s")
       ->check(within(50, 20'000))
       ->capture_default_str();
+  CLI::Option* targets = command
+                             ->add_option("--mbit", options->bench.target_mbit,
+                                          "Adds rows with these target rates of a sensor, Mbit/s")
+                             ->delimiter(',')
+                             ->check(within(0.1, 100.0));
   command
-      ->add_option("--mbit", options->bench.target_mbit,
-                   "Adds rows with these target rates of a sensor, Mbit/s")
-      ->delimiter(',')
-      ->check(within(0.1, 100.0));
+      ->add_option("--curves", options->curves,
+                   "Measure each codec at several qualities, and draw errors over Mbit/s into this "
+                   "file (SVG)")
+      ->excludes(only)
+      ->excludes(targets);
   command
       ->add_option("--fps", options->simulator.sim_fps, "Frames per second of a simulated sensor")
       ->check(within(1.0, 60.0))
@@ -87,7 +111,9 @@ void add_codec_bench(CLI::App& bench, Command& chosen) {
       "--filter-interference", options->filtered,
       "Remove what the infrared light of other cameras does to depth, as a sensor does");
   command->add_flag("--json", options->json, "Print JSON");
-  command->footer("Example:\n  roomcast bench codec rig:recordings/lab#s0 --json");
+  command->footer(
+      "Example:\n  roomcast bench codec rig:recordings/lab#s0 --json\n"
+      "  roomcast bench codec sim:studio --fps 15 --frames 120 --curves curves.svg");
   command->callback([options, &chosen] {
     chosen = [options] { return finish("bench codec", run_codec(*options)); };
   });

@@ -16,8 +16,7 @@ namespace roomcast::bench {
 namespace {
 
 constexpr int kBits = 12, kMaxValue = (1 << kBits) - 1;
-constexpr int kSpeed = 8;        // fast enough for live video
-constexpr int kAv1Quality = 10;  // range 0..63, 0 is finest; even finer levels smear edges
+constexpr int kSpeed = 8;  // fast enough for live video
 constexpr int kMaskLevel = 3;
 constexpr int kKeyEvery = 9999;  // key frames are requested explicitly
 
@@ -37,7 +36,7 @@ struct AomContext {
   bool open = false;
 };
 
-bool open_encoder(const BenchPicture& picture, AomContext& encoder) {
+bool open_encoder(const BenchPicture& picture, int quality, AomContext& encoder) {
   aom_codec_enc_cfg_t config;
   if (aom_codec_enc_config_default(aom_codec_av1_cx(), &config, AOM_USAGE_REALTIME) != AOM_CODEC_OK)
     return false;
@@ -58,7 +57,7 @@ bool open_encoder(const BenchPicture& picture, AomContext& encoder) {
   }
   encoder.open = true;
   return aom_codec_control(&encoder.context, AOME_SET_CPUUSED, kSpeed) == AOM_CODEC_OK &&
-         aom_codec_control(&encoder.context, AOME_SET_CQ_LEVEL, kAv1Quality) == AOM_CODEC_OK;
+         aom_codec_control(&encoder.context, AOME_SET_CQ_LEVEL, quality) == AOM_CODEC_OK;
 }
 
 bool open_decoder(AomContext& decoder) {
@@ -94,8 +93,8 @@ class Av1Depth final : public CodecUnderTest {
     image_->bit_depth = kBits;
   }
   ~Av1Depth() override { aom_img_free(image_); }
-  [[nodiscard]] bool open(const BenchPicture& picture) {
-    return open_encoder(picture, encoder_) && open_decoder(decoder_);
+  [[nodiscard]] bool open(const BenchPicture& picture, int quality) {
+    return open_encoder(picture, quality, encoder_) && open_decoder(decoder_);
   }
 
   Result<FrameCost> run(const BenchFrame& frame, bool want_key, BenchFrame& decoded) override {
@@ -174,9 +173,9 @@ class Av1Depth final : public CodecUnderTest {
 
 }  // namespace
 
-PeerResult make_av1_depth(const BenchPicture& picture) {
+PeerResult make_av1_depth(const BenchPicture& picture, int quality) {
   auto codec = std::make_unique<Av1Depth>(picture.width, picture.height);
-  if (!codec->open(picture)) return av1_failure("start");
+  if (!codec->open(picture, quality)) return av1_failure("start");
   return std::unique_ptr<CodecUnderTest>(std::move(codec));
 }
 

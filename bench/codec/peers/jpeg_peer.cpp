@@ -8,14 +8,14 @@
 namespace roomcast::bench {
 namespace {
 
-constexpr int kJpegQuality = 85;
-
 class Jpeg final : public CodecUnderTest {
  public:
+  explicit Jpeg(int quality) : quality_(quality) {}
+
   Result<FrameCost> run(const BenchFrame& frame, bool, BenchFrame& decoded) override {
     fill(frame);
     const CpuStopwatch encoding;
-    std::string fault = jpeg_.encode(filled_, kJpegQuality, file_);
+    std::string fault = jpeg_.encode(filled_, quality_, file_);
     const double encode_ms = encoding.ms();
     decoded.color.resize(frame.color.width(), frame.color.height());
     const CpuStopwatch decoding;
@@ -33,6 +33,7 @@ class Jpeg final : public CodecUnderTest {
     }
   }
 
+  const int quality_;
   io::JpegCodec jpeg_;
   ColorImage filled_;
   std::vector<std::uint8_t> file_;
@@ -40,8 +41,8 @@ class Jpeg final : public CodecUnderTest {
 
 }  // namespace
 
-PeerResult make_jpeg(const BenchPicture&) {
-  return std::unique_ptr<CodecUnderTest>(std::make_unique<Jpeg>());
+PeerResult make_jpeg(const BenchPicture&, int quality) {
+  return std::unique_ptr<CodecUnderTest>(std::make_unique<Jpeg>(quality));
 }
 
 }  // namespace roomcast::bench

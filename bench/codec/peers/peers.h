@@ -23,13 +23,17 @@ PeerResult make_png16(
 PeerResult make_rvl(const BenchPicture& picture);
 
 // Depth only, lossy.
-PeerResult make_temporal_rvl(const BenchPicture& picture);  // 10 mm
+/// No change above `max_error_mm` is lost.
+PeerResult make_temporal_rvl(const BenchPicture& picture, int max_error_mm);
 /// AV1, 12 bit grey. Holes are filled with the previous values; the validity mask is packed by zstd
-/// and included in the size. Real-time settings, constant quality.
-PeerResult make_av1_depth(const BenchPicture& picture);
+/// and included in the size. Real-time settings, constant quality: 0, the finest, to 63.
+PeerResult make_av1_depth(const BenchPicture& picture, int quality);
+/// Draco's points (k-d tree, each frame coded independently) in steps of `step_mm`.
+PeerResult make_draco_depth(const BenchPicture& picture, int step_mm);
 
 // Colour only, 4:2:0. Unseen pixels are filled with the previous values.
-PeerResult make_jpeg(const BenchPicture& picture);  // quality 85, each frame coded independently
+/// Each frame coded independently; quality 1 to 100, the finest.
+PeerResult make_jpeg(const BenchPicture& picture, int quality);
 PeerResult make_h264_color(const BenchPicture& picture);  // OpenH264 at the picture's rate
 
 }  // namespace roomcast::bench

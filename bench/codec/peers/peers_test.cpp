@@ -3,6 +3,7 @@
 #include "bench/codec/peers/peers.h"
 
 #include <cstdlib>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -25,7 +26,9 @@ struct Session {
   std::vector<FrameCost> cost;
 };
 
-Session run(PeerResult (*make)(const BenchPicture&)) {
+using Make = std::function<PeerResult(const BenchPicture&)>;
+
+Session run(const Make& make) {
   auto peer = make(kPicture);
   EXPECT_TRUE(peer.ok()) << peer.error().message;
   Session run;
@@ -39,7 +42,7 @@ Session run(PeerResult (*make)(const BenchPicture&)) {
   return run;
 }
 
-void expect_exact_depth(PeerResult (*make)(const BenchPicture&)) {
+void expect_exact_depth(const Make& make) {
   const Session all = run(make);
   for (int i = 0; i < kFrames; ++i) {
     EXPECT_EQ(all.out[i].depth_mm, all.in[i].depth_mm);
@@ -64,7 +67,8 @@ TEST(Peers, raw_and_gzip_give_back_every_colour) {
 }
 
 TEST(Peers, temporal_rvl_is_off_by_ten_millimetres_at_most) {
-  const Session all = run(make_temporal_rvl);
+  const Session all =
+      run([](const BenchPicture& picture) { return make_temporal_rvl(picture, 10); });
   for (int i = 0; i < kFrames; ++i) {
     for (std::size_t p = 0; p < all.in[i].depth_mm.view().pixel_count(); ++p) {
       const int in = all.in[i].depth_mm.data()[p], out = all.out[i].depth_mm.data()[p];
@@ -74,7 +78,7 @@ TEST(Peers, temporal_rvl_is_off_by_ten_millimetres_at_most) {
 }
 
 TEST(Peers, av1_keeps_holes_and_stays_near_on_surfaces) {
-  const Session all = run(make_av1_depth);
+  const Session all = run([](const BenchPicture& picture) { return make_av1_depth(picture, 10); });
   int near = 0, readings = 0;
   for (std::size_t p = 0; p < all.in[3].depth_mm.view().pixel_count(); ++p) {
     const int in = all.in[3].depth_mm.data()[p], out = all.out[3].depth_mm.data()[p];
@@ -86,8 +90,29 @@ TEST(Peers, av1_keeps_holes_and_stays_near_on_surfaces) {
   EXPECT_LT(all.cost[1].depth_bytes, all.cost[0].depth_bytes);
 }
 
+TEST(Peers, draco_is_off_by_half_a_step_at_most) {
+  for (const int step_mm : {1, 8}) {
+    const Session all =
+        run([&](const BenchPicture& picture) { return make_draco_depth(picture, step_mm); });
+    for (std::size_t p = 0; p < all.in[1].depth_mm.view().pixel_count(); ++p) {
+      const int in = all.in[1].depth_mm.data()[p], out = all.out[1].depth_mm.data()[p];
+      ASSERT_LE(std::abs(in - out), step_mm / 2);
+    }
+    EXPECT_GT(all.cost[1].depth_bytes, 0u);
+  }
+}
+
+TEST(Peers, draco_sends_a_picture_without_a_reading) {
+  const auto peer = make_draco_depth(kPicture, 1);
+  BenchFrame decoded;
+  const auto cost = (*peer)->run({DepthImage(96, 64), {}, {}}, true, decoded);
+  ASSERT_TRUE(cost.ok()) << cost.error().message;
+  EXPECT_EQ(decoded.depth_mm, DepthImage(96, 64));
+}
+
 TEST(Peers, colour_codecs_stay_near_where_colour_is_seen) {
-  for (const auto make : {make_jpeg, make_h264_color}) {
+  const Make jpeg = [](const BenchPicture& picture) { return make_jpeg(picture, 85); };
+  for (const Make& make : {jpeg, Make(make_h264_color)}) {
     const Session all = run(make);
     LumaError error;
     for (int i = 0; i < kFrames; ++i) error.add(all.out[i].color, all.in[i].color, all.in[i].seen);

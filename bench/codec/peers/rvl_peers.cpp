@@ -9,8 +9,6 @@
 namespace roomcast::bench {
 namespace {
 
-constexpr int kThreshold_mm = 10;
-
 std::span<const std::uint16_t> pixels_of(const DepthImage& image) {
   return {image.data(), image.view().pixel_count()};
 }
@@ -34,8 +32,8 @@ class Rvl final : public CodecUnderTest {
 
 class TemporalRvl final : public CodecUnderTest {
  public:
-  explicit TemporalRvl(std::size_t pixel_count)
-      : encoder_(pixel_count, kThreshold_mm), decoder_(pixel_count) {}
+  TemporalRvl(std::size_t pixel_count, int max_error_mm)
+      : encoder_(pixel_count, max_error_mm), decoder_(pixel_count) {}
 
   Result<FrameCost> run(const BenchFrame& frame, bool want_key, BenchFrame& decoded) override {
     bytes_.clear();
@@ -61,9 +59,10 @@ class TemporalRvl final : public CodecUnderTest {
 PeerResult make_rvl(const BenchPicture&) {
   return std::unique_ptr<CodecUnderTest>(std::make_unique<Rvl>());
 }
-PeerResult make_temporal_rvl(const BenchPicture& picture) {
+PeerResult make_temporal_rvl(const BenchPicture& picture, int max_error_mm) {
   return std::unique_ptr<CodecUnderTest>(std::make_unique<TemporalRvl>(
-      static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height)));
+      static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height),
+      max_error_mm));
 }
 
 }  // namespace roomcast::bench
