@@ -55,6 +55,8 @@ inline const std::vector<Layer> kLayers = {
     {"io",
      "core geometry",
      "recording/dataset"},
+    {"sound",
+     "core geometry io voice"},
     {"source",
      "core geometry"},
     {"source/camera",
@@ -104,7 +106,7 @@ inline const std::vector<Layer> kLayers = {
      "core recording recording/mcap wire",
      "client/room codec"},
     {"recording/voices",
-     "core geometry io recording/room voice wire"},
+     "core geometry io recording/room sound voice wire"},
     {"recording/playback",
      "client/room codec core io recording/dataset recording/room source wire"},
     {"recording/import",
@@ -218,8 +220,8 @@ inline const std::vector<Layer> kLayers = {
      "client client/uplink codec core geometry"},
     {"sensor",
      "alignment/board alignment/bundle alignment/motion alignment/person "
-     "alignment/service client codec/live core geometry io recording/import "
-     "recording/playback ros2/camera sensor/sender simulator source source/camera source/drivers wire",
+     "alignment/service client client/voices codec/live core geometry io recording/import "
+     "recording/playback ros2/camera sensor/sender simulator sound source source/camera source/drivers wire",
      "alignment/feature recording/dataset"},
     {"ros2/bridge",
      "client core geometry recording/export recording/frame_sets recording/live_sets recording/ros ros2/dds"},
@@ -291,7 +293,7 @@ inline const std::vector<Layer> kLayers = {
      "core codec codec/color codec/lossless codec/live codec/mask codec/payload"},
     {"fuzz",
      "core geometry codec codec/lossless codec/live codec/mask codec/payload wire net client/room recording/bytes "
-     "recording/foxglove recording/matroska recording/mcap recording/lzfse recording/room recording/ros recording/rosbag recording/zip capi hub/federation/cluster hub/federation/nats"},
+     "recording/foxglove recording/matroska recording/mcap recording/lzfse recording/room recording/ros recording/rosbag recording/zip sound capi hub/federation/cluster hub/federation/nats"},
     {"bench",
      "*"},
 };

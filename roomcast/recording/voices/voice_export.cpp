@@ -14,10 +14,11 @@
 #include "roomcast/core/csv_field.h"
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/io/new_folder.h"
-#include "roomcast/recording/voices/listener_gains.h"
+#include "roomcast/recording/voices/recorded_speaker.h"
 #include "roomcast/recording/voices/voice_mix.h"
 #include "roomcast/recording/voices/voice_track.h"
-#include "roomcast/recording/voices/wav_file.h"
+#include "roomcast/sound/listener_gains.h"
+#include "roomcast/sound/wav_file.h"
 #include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/control_check.h"
 #include "roomcast/wire/parse_message.h"
@@ -40,7 +41,7 @@ double seconds_of(std::int64_t samples) {
 /// A WAV file and the sum of what is heard in it.
 class SoundFile {
  public:
-  SoundFile(WavFile file, int channels)
+  SoundFile(sound::WavFile file, int channels)
       : file_(std::move(file)),
         mix_(channels,
              {.sound = [this](std::span<const float> samples) { file_.append(samples); },
@@ -54,12 +55,12 @@ class SoundFile {
   const std::filesystem::path& path() const { return file_.path(); }
 
  private:
-  WavFile file_;
+  sound::WavFile file_;
   VoiceMix mix_;
 };
 
 Result<std::unique_ptr<SoundFile>> create_sound(const std::filesystem::path& path, int channels) {
-  auto file = WavFile::create(path, channels);
+  auto file = sound::WavFile::create(path, channels);
   if (!file) return file.error();
   return std::make_unique<SoundFile>(*std::move(file), channels);
 }
@@ -94,7 +95,8 @@ class VoiceExporter {
   void read_poses(const mcap::Message& message);
   Status read_voice(const mcap::Message& message);
   Result<Person*> person(std::uint32_t viewer, nanoseconds log_time);
-  [[nodiscard]] std::string name_of(std::uint32_t viewer, nanoseconds log_time) const;
+  [[nodiscard]] std::optional<Eigen::Vector3d> place_of(std::uint32_t speaker,
+                                                        nanoseconds time) const;
   std::filesystem::path free_file(const std::string& person);
   void hear(Person& person, std::int64_t at, std::span<const float> samples);
   void give_until(nanoseconds time);
@@ -128,7 +130,7 @@ Result<VoiceExport> VoiceExporter::run() {
   begin_ = samples_in(options_.from);
   end_ = std::max(samples_in(to), begin_);
   const int channels = options_.listener ? 2 : 1;
-  if ((end_ - begin_) * channels > WavFile::kMaxSamples) return WavFile::too_long();
+  if ((end_ - begin_) * channels > sound::WavFile::kMaxSamples) return sound::WavFile::too_long();
   auto all = create_sound(options_.out / "voices.wav", channels);
   if (!all) return all.error();
   all_ = *std::move(all);
@@ -181,6 +183,15 @@ void VoiceExporter::read_poses(const mcap::Message& message) {
     heads_[pose.viewer_id()] = {pose.head().x(), pose.head().y(), pose.head().z()};
 }
 
+/// A sensor's microphone is where the sensor stood at that time.
+std::optional<Eigen::Vector3d> VoiceExporter::place_of(std::uint32_t speaker,
+                                                       nanoseconds time) const {
+  if (const auto sensor = wire::sensor_of(ViewerId{speaker}))
+    return recorded_place(recording_, *sensor, recording_.origin() + time);
+  const auto head = heads_.find(speaker);
+  return head == heads_.end() ? std::nullopt : std::optional(head->second);
+}
+
 Status VoiceExporter::read_voice(const mcap::Message& message) {
   const auto header = wire::parse_audio(message.data);
   if (!header || header->codec != wire::kAudioCodecOpus) return {};
@@ -211,7 +222,7 @@ Result<VoiceExporter::Person*> VoiceExporter::person(std::uint32_t viewer, nanos
   }
   Person added;
   added.voice.viewer = viewer;
-  added.voice.person = name_of(viewer, log_time);
+  added.voice.person = recorded_name(recording_, ViewerId{viewer}, log_time);
   if (options_.per_person) {
     auto file = create_sound(free_file(added.voice.person), 1);
     if (!file) return file.error();
@@ -219,17 +230,6 @@ Result<VoiceExporter::Person*> VoiceExporter::person(std::uint32_t viewer, nanos
     added.voice.file = added.file->path();
   }
   return &people_.emplace(viewer, std::move(added)).first->second;
-}
-
-/// As in the roster of that time, or, where it was not there yet, of a later one.
-std::string VoiceExporter::name_of(std::uint32_t viewer, nanoseconds log_time) const {
-  std::string name;
-  for (const RecordedRoster& moment : recording_.rosters()) {
-    for (const auto& entry : moment.roster.viewers())
-      if (entry.id() == viewer) name = entry.name();
-    if (moment.time > log_time && !name.empty()) break;
-  }
-  return name.empty() ? fmt::format("viewer {}", viewer) : name;
 }
 
 std::filesystem::path VoiceExporter::free_file(const std::string& person) {
@@ -251,10 +251,8 @@ void VoiceExporter::hear(Person& person, std::int64_t at, std::span<const float>
   if (person.file) person.file->mix().add(at, samples, {1, 0});
   Gains gains = {1, 0};
   if (options_.listener) {
-    const auto head = heads_.find(voice.viewer);
     const auto time = nanoseconds(std::llround(1e9 * seconds_of(begin_ + at)));
-    gains = listener_gains(options_.listener(time),
-                           head == heads_.end() ? std::nullopt : std::optional(head->second));
+    gains = sound::listener_gains(options_.listener(time), place_of(voice.viewer, time));
   }
   all_->mix().add(at, samples, gains);
 }

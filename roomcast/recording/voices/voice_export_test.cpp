@@ -96,6 +96,29 @@ TEST_F(VoiceExportTest, everybody_is_heard_when_they_spoke) {
   EXPECT_TRUE(line.starts_with("\"Ada-...wav\",\"Ada/..\",3,0.99")) << line;
 }
 
+TEST_F(VoiceExportTest, a_sensors_microphone_is_heard_under_its_name_from_where_it_stands) {
+  const std::uint32_t left = wire::speaker_of(SensorId{10}).value;   // at x = 0
+  const std::uint32_t right = wire::speaker_of(SensorId{11}).value;  // at x = 0.5
+  say(left, 1s, 1s);
+  say(right, 3s, 1s);
+  say(wire::speaker_of(SensorId{77}).value, 4500ms, 100ms);
+  end(5s);
+  VoiceExportOptions options{.out = {}, .per_person = true};
+  options.listener = [](nanoseconds) {
+    return RigidTransform{Eigen::Matrix3d::Identity(), {0.25, 1.5, 0}};
+  };
+  const auto done = write(options);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  ASSERT_EQ(done->people.size(), 3u);
+  EXPECT_EQ(done->people[0].person, "s0");
+  EXPECT_EQ(done->people[1].person, "s1");
+  EXPECT_EQ(done->people[2].person, "sensor 77");
+  EXPECT_GT(wav("s0.wav").loudness(1.1, 1.9), 0.2);
+  const ReadWav all = wav("voices.wav");
+  EXPECT_GT(all.loudness(1.1, 1.9, 0), 2 * all.loudness(1.1, 1.9, 1)) << "it stands on the left";
+  EXPECT_GT(all.loudness(3.1, 3.9, 1), 2 * all.loudness(3.1, 3.9, 0));
+}
+
 TEST_F(VoiceExportTest, a_click_is_where_it_was_made_to_a_millisecond) {
   VoiceFixture voice(
       [](std::int64_t sample) { return sample >= 4800 && sample < 4824 ? 0.8F : 0; });

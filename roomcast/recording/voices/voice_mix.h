@@ -4,19 +4,18 @@
 // newest; silence takes none. Time: samples at 48 kHz; before 0 there is nothing. Single-threaded.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <span>
 #include <vector>
 
+#include "roomcast/sound/listener_gains.h"
 #include "roomcast/voice/voice_decoder.h"
 
 namespace roomcast::recording {
 
-/// Loudness of a piece in each channel; one channel uses the first.
-using Gains = std::array<float, 2>;
+using sound::Gains;
 
 class VoiceMix {
  public:

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/recording/voices/listener_gains.h"
+#include "roomcast/sound/listener_gains.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace roomcast::recording {
+namespace roomcast::sound {
 
 Gains listener_gains(const RigidTransform& world_from_listener,
                      const std::optional<Eigen::Vector3d>& head_m) {
@@ -23,4 +23,4 @@ Gains listener_gains(const RigidTransform& world_from_listener,
           static_cast<float>(loudness * std::sin(angle))};
 }
 
-}  // namespace roomcast::recording
+}  // namespace roomcast::sound

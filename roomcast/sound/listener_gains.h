@@ -3,18 +3,21 @@
 // full within 1 m), and by direction with constant power. World frame, metres. No state.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include <Eigen/Core>
 
 #include "roomcast/geometry/rigid_transform.h"
-#include "roomcast/recording/voices/voice_mix.h"
 
-namespace roomcast::recording {
+namespace roomcast::sound {
 
-/// Left and right. The axes of `world_from_listener` are x right, y up, -z ahead. Somebody without
+/// Loudness of a sound in each channel: left and right. One channel uses the first.
+using Gains = std::array<float, 2>;
+
+/// The axes of `world_from_listener` are x right, y up, -z ahead. Somebody without
 /// a head is heard in the middle.
 [[nodiscard]] Gains listener_gains(const RigidTransform& world_from_listener,
                                    const std::optional<Eigen::Vector3d>& head_m);
 
-}  // namespace roomcast::recording
+}  // namespace roomcast::sound

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/recording/voices/listener_gains.h"
+#include "roomcast/sound/listener_gains.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-namespace roomcast::recording {
+namespace roomcast::sound {
 namespace {
 
 double loudness(const Gains& gains) {
@@ -41,4 +41,4 @@ TEST(ListenerGains, who_has_no_head_is_heard_in_the_middle) {
 }
 
 }  // namespace
-}  // namespace roomcast::recording
+}  // namespace roomcast::sound

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/recording/voices/wav_file.h"
+#include "roomcast/sound/wav_file.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "roomcast/core/little_endian.h"
 #include "roomcast/voice/voice_decoder.h"
 
-namespace roomcast::recording {
+namespace roomcast::sound {
 namespace {
 
 constexpr std::size_t kWavHeaderBytes = 44;
@@ -115,4 +115,4 @@ Status WavFile::finish() {
   return error ? Status(not_written(path_)) : Status();
 }
 
-}  // namespace roomcast::recording
+}  // namespace roomcast::sound

@@ -12,7 +12,7 @@
 
 #include "roomcast/core/result.h"
 
-namespace roomcast::recording {
+namespace roomcast::sound {
 
 class WavFile {
  public:
@@ -48,4 +48,4 @@ class WavFile {
   std::vector<std::uint8_t> bytes_;
 };
 
-}  // namespace roomcast::recording
+}  // namespace roomcast::sound

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/recording/voices/wav_file.h"
+#include "roomcast/sound/wav_file.h"
 
 #include <array>
 
-#include "roomcast/core/temporary_folder.h"
-#include "roomcast/recording/voices/voice_fixture.h"
+#include <gtest/gtest.h>
 
-namespace roomcast::recording {
+#include "roomcast/core/temporary_folder.h"
+#include "roomcast/sound/wav_sound.h"
+
+namespace roomcast::sound {
 namespace {
 
 TEST(WavFile, has_the_samples_and_the_silence_between_them) {
@@ -22,7 +24,7 @@ TEST(WavFile, has_the_samples_and_the_silence_between_them) {
   file->append_silence(1);
   EXPECT_FALSE(std::filesystem::exists(path)) << "it is not complete";
   ASSERT_TRUE(file->finish().ok());
-  const ReadWav wav = read_wav(path);
+  const WavSound wav = *read_wav(path);
   EXPECT_EQ(wav.channels, 1);
   const std::vector<float> expected{0, 0, 0, 0.5F, -0.25F, 0, 0, 0.5F, -0.25F, 0};
   ASSERT_EQ(wav.samples.size(), expected.size());
@@ -36,7 +38,7 @@ TEST(WavFile, bends_what_is_too_loud) {
   const std::array<float, 3> loud{0.9F, 2.F, -30.F};
   file->append(loud);
   ASSERT_TRUE(file->finish().ok());
-  const ReadWav wav = read_wav(folder / "loud.wav");
+  const WavSound wav = *read_wav(folder / "loud.wav");
   EXPECT_GT(wav.samples[0], 0.8F);
   EXPECT_LT(wav.samples[0], 0.9F);
   EXPECT_GT(wav.samples[1], 0.99F);
@@ -57,4 +59,4 @@ TEST(WavFile, replaces_no_other_file_and_leaves_none_that_is_not_complete) {
 }
 
 }  // namespace
-}  // namespace roomcast::recording
+}  // namespace roomcast::sound
