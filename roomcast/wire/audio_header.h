@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fixed part of an audio packet, 20 ms of a person's voice: docs/spec/wire.md §6. Converts
-// little-endian bytes to a plain struct and back. Nothing here allocates or looks into the payload.
+// The fixed part of an audio packet, 20 ms of a person's voice or of a room's sound:
+// docs/spec/wire.md §6. Converts little-endian bytes to a plain struct and back. Nothing here
+// allocates or looks into the payload.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "roomcast/core/clock.h"
@@ -15,6 +17,17 @@ namespace roomcast::wire {
 
 inline constexpr std::size_t kAudioHeaderBytes = 28;
 inline constexpr std::uint8_t kAudioCodecOpus = 1;  // RFC 6716; 20 ms, one channel
+
+/// The sound of a sensor's microphone has a speaker, too. Viewers' IDs never grow so large.
+inline constexpr std::uint32_t kSensorSpeakers = 0x8000'0000;
+[[nodiscard]] constexpr ViewerId speaker_of(SensorId sensor) {
+  return ViewerId{kSensorSpeakers + sensor.value};
+}
+/// Nothing: a viewer speaks.
+[[nodiscard]] constexpr std::optional<SensorId> sensor_of(ViewerId speaker) {
+  if (speaker.value < kSensorSpeakers || speaker.value > kSensorSpeakers + 0xFFFF) return {};
+  return SensorId{static_cast<std::uint16_t>(speaker.value - kSensorSpeakers)};
+}
 
 struct AudioHeader {
   bool ends = false;        // the speaker pauses after this packet

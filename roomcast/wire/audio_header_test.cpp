@@ -116,5 +116,13 @@ TEST(AudioHeader, stamping_changes_the_speaker_only) {
   EXPECT_EQ(message, audio_message(header));
 }
 
+TEST(AudioHeader, sensors_have_speakers_of_their_own) {
+  EXPECT_EQ(speaker_of(SensorId{5}).value, 0x8000'0005U);
+  EXPECT_EQ(sensor_of(speaker_of(SensorId{5})), SensorId{5});
+  EXPECT_EQ(sensor_of(speaker_of(SensorId{0xFFFF})), SensorId{0xFFFF});
+  for (const std::uint32_t viewer : {0U, 5U, 0x7FFF'FFFFU, 0x8001'0000U, 0xFFFF'FFFFU})
+    EXPECT_FALSE(sensor_of(ViewerId{viewer})) << viewer;
+}
+
 }  // namespace
 }  // namespace roomcast::wire

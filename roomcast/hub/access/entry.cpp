@@ -81,7 +81,7 @@ Entry entry_of(const pb::Join& join, const Claims* claims, const RoomSettings& r
   entry.may_record = meets(room.record, claims);
   entry.may_share = meets(room.share, claims);
   const bool is_person = join.has_viewer() && !join.viewer().records() && !join.viewer().relays();
-  entry.may_speak = is_person && meets(room.speak, claims);
+  entry.may_speak = (is_person || join.has_sensor()) && meets(room.speak, claims);
   entry.may_mark = meets(room.mark, claims);
   if (claims == nullptr) return entry;
   entry.token_id = claims->id;

@@ -85,10 +85,19 @@ TEST_F(EntryTest, who_may_view_may_speak_unless_the_room_says_otherwise) {
   EXPECT_TRUE(may_speak(viewer("lab"), claims("lab", TokenRole::kAdmin)));
 }
 
-TEST_F(EntryTest, sensors_recorders_and_relaying_hubs_do_not_speak) {
+TEST_F(EntryTest, a_sensors_microphone_is_heard_where_everybody_may_speak) {
+  const auto may_speak = [this] {
+    return std::get<Entry>(decide(sensor("open", "left"))).may_speak;
+  };
+  EXPECT_TRUE(may_speak());
+  rooms["open"].speak = AccessRule::kAdmin;
+  EXPECT_FALSE(may_speak());
+}
+
+TEST_F(EntryTest, recorders_and_relaying_hubs_do_not_speak) {
   pb::Join hub = viewer("open");
   hub.mutable_viewer()->set_relays(true);
-  for (const pb::Join& join : {hub, viewer("open", true), sensor("open", "left")})
+  for (const pb::Join& join : {hub, viewer("open", true)})
     EXPECT_FALSE(std::get<Entry>(decide(join)).may_speak);
 }
 

@@ -126,6 +126,9 @@ Json sensor_json(const SensorStats& sensor, const std::string& address) {
                {"unverified", sensor.pose.source == PoseSource::kStored},
                {"expected_error_mm", sensor.pose.expected_error_mm},
                {"depth_scale", sensor.pose.depth_scale},
+               {"has_microphone", sensor.has_microphone},
+               {"speaks", sensor.speaks},
+               {"muted", sensor.muted},
                {"world_from_depth", row_major_from_transform(sensor.pose.world_from_depth)}};
   if (sensor.interference) {
     const SensorInterference& disturbed = *sensor.interference;

@@ -121,6 +121,8 @@ void AdminApi::carry_out_in_room(const Call& call) {
       return close_room(call);
     case AdminCall::kListSensors:
       return list_sensors(call);
+    case AdminCall::kChangeSensor:
+      return change_sensor(call);
     case AdminCall::kEndSensor:
       return end_sensor(call);
     case AdminCall::kListViewers:

@@ -54,6 +54,7 @@ class AdminApi {
   void close_room(const Call& call);
   void keep_room(const Call& call, const RoomSettings& settings, bool is_new);
   void list_sensors(const Call& call) const;
+  void change_sensor(const Call& call);
   void end_sensor(const Call& call);
   void forget_sensor(const Call& call);
   void list_viewers(const Call& call) const;

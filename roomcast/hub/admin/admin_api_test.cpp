@@ -190,6 +190,27 @@ TEST_F(AdminApiTest, muting_needs_a_viewer_a_boolean_and_an_admin) {
       "wrong_role");
 }
 
+TEST_F(AdminApiTest, a_sensors_microphone_is_muted_until_that_is_ended) {
+  const auto sensor = std::make_shared<QuietConnection>(ConnectionId{1});
+  pb::Join join;
+  join.set_room("lab");
+  join.set_name("left");
+  join.set_token(token("lab", TokenRole::kAdmin));
+  join.mutable_sensor()->set_fps(30);
+  registry.on_join({.connection = sensor, .address = "10.0.0.7:5", .peer = "10.0.0.7"}, join);
+  const auto sensors = [this] { return ask("GET", "/rooms/lab/sensors", hub_admin).body; };
+  while (sensors()["sensors"].empty()) io.run_one_for(std::chrono::milliseconds(100));
+  EXPECT_EQ(ask("PATCH", "/rooms/lab/sensors/left", hub_admin, {{"muted", true}}).body["muted"],
+            true);
+  EXPECT_EQ(sensors()["sensors"][0]["muted"], true);
+  EXPECT_EQ(ask("PATCH", "/rooms/lab/sensors/left", hub_admin, {{"muted", false}}).body["muted"],
+            false);
+  EXPECT_EQ(ask("PATCH", "/rooms/lab/sensors/left", hub_admin, {{"muted", 1}}).code(),
+            "bad_request");
+  EXPECT_EQ(ask("PATCH", "/rooms/lab/sensors/right", hub_admin, {{"muted", true}}).code(),
+            "not_found");
+}
+
 TEST_F(AdminApiTest, an_offline_sensor_can_be_forgotten) {
   ASSERT_EQ(ask("POST", "/rooms", hub_admin, {{"name", "registry"}}).status, 201);
   std::optional<Status> kept;

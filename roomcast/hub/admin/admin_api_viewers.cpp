@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The AdminApi's calls about a room's viewers: the list, mute, end.
+// The AdminApi's calls about a room's viewers: the list, mute, end; and muting sensors'
+// microphones.
 #include <algorithm>
 #include <charconv>
 #include <optional>
@@ -9,10 +10,16 @@
 
 #include "roomcast/hub/admin/admin_answer.h"
 #include "roomcast/hub/admin/admin_api.h"
+#include "roomcast/wire/audio_header.h"
 
 namespace roomcast::hub {
 
 namespace {
+
+net::HttpResponse not_a_mute() {
+  return error_answer(400, "bad_request",
+                      R"(the body must be {"muted": true} or {"muted": false})");
+}
 
 /// {"muted": true}; nothing: the body is something else.
 std::optional<bool> muted_in(const std::string& body) {
@@ -48,16 +55,30 @@ std::optional<ViewerStats> AdminApi::viewer_of(const Call& call) const {
 
 void AdminApi::change_viewer(const Call& call) {
   const auto muted = muted_in(call.body);
-  if (!muted) {
-    return call.respond(error_answer(400, "bad_request",
-                                     R"(the body must be {"muted": true} or {"muted": false})"));
-  }
+  if (!muted) return call.respond(not_a_mute());
   const auto viewer = viewer_of(call);
   if (!viewer) return;
   registry_.mute(call.parameter(0), viewer->id, *muted);
   if (const auto changed = viewer_of(call))
     call.respond(
         json_answer(200, viewer_json(*changed, registry_.address_of(changed->connection))));
+}
+
+void AdminApi::change_sensor(const Call& call) {
+  const auto muted = muted_in(call.body);
+  if (!muted) return call.respond(not_a_mute());
+  const std::string& room = call.parameter(0);
+  const auto find = [&](const RoomStats& stats) -> std::optional<SensorStats> {
+    const auto found = std::ranges::find(stats.sensors, call.parameter(1), &SensorStats::name);
+    return found == stats.sensors.end() ? std::nullopt : std::optional(*found);
+  };
+  const auto sensor = find(*registry_.stats(room));
+  if (!sensor)
+    return call.respond(error_answer(404, "not_found", "no such sensor is in this room"));
+  registry_.mute(room, wire::speaker_of(sensor->id), *muted);
+  if (const auto changed = find(*registry_.stats(room)))
+    call.respond(
+        json_answer(200, sensor_json(*changed, registry_.address_of(changed->connection))));
 }
 
 void AdminApi::end_viewer(const Call& call) {

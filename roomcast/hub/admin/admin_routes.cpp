@@ -18,6 +18,7 @@ constexpr std::array kRoutes = {
     AdminRoute{"PATCH", "/rooms/{room}", AdminCall::kChangeRoom},
     AdminRoute{"DELETE", "/rooms/{room}", AdminCall::kCloseRoom},
     AdminRoute{"GET", "/rooms/{room}/sensors", AdminCall::kListSensors},
+    AdminRoute{"PATCH", "/rooms/{room}/sensors/{sensor}", AdminCall::kChangeSensor},
     AdminRoute{"DELETE", "/rooms/{room}/sensors/{sensor}", AdminCall::kEndSensor},
     AdminRoute{"GET", "/rooms/{room}/viewers", AdminCall::kListViewers},
     AdminRoute{"PATCH", "/rooms/{room}/viewers/{viewer}", AdminCall::kChangeViewer},

@@ -21,6 +21,7 @@ enum class AdminCall {
   kChangeRoom,
   kCloseRoom,
   kListSensors,
+  kChangeSensor,
   kEndSensor,
   kListViewers,
   kChangeViewer,

@@ -162,6 +162,7 @@ RoomActions Room::forget(const std::string& name, RoomTime now) {
   RoomActions out;
   const RoomSensor* sensor = sensors_.find(name);
   if (sensor != nullptr && sensor->connection) return out;
+  if (sensor != nullptr) voices_.forget(wire::speaker_of(sensor->id));
   if (sensors_.forget(name)) send_roster(now, out);
   return out;
 }
@@ -170,6 +171,7 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
   RoomActions out;
   if (RoomSensor* sensor = sensors_.find(from)) {
     sensors_.disconnect(*sensor);
+    voices_.end(wire::speaker_of(sensor->id));
     sets_.remove_sensor(sensor->id);
     sensor->coarse_depth.reset();
     send_roster(now, out);
@@ -316,6 +318,9 @@ RoomStats Room::stats() const {
     entry.token_id = sensor.connection ? sensor.token_id : "";
     entry.pose = sensor.pose;
     entry.interference = interference_of(sensor, sensors_);
+    entry.has_microphone = sensor.has_spoken;
+    entry.speaks = voices_.is_speaking(wire::speaker_of(sensor.id));
+    entry.muted = voices_.is_muted(wire::speaker_of(sensor.id));
   }
   for (const auto& [connection, viewer] : viewers_) {
     stats.viewers.push_back({.id = viewer.id,

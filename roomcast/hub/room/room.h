@@ -70,11 +70,12 @@ class Room {
                                   net::MessageBuffer message, RoomTime now);
   /// Several frames that arrived together. Their messages are moved from.
   [[nodiscard]] RoomActions frames(std::span<IncomingFrame> together, RoomTime now);
-  /// An audio packet of a viewer.
+  /// An audio packet of a viewer, or of a sensor's microphone.
   [[nodiscard]] RoomActions audio(ConnectionId from, const wire::AudioHeader& header,
                                   net::MessageBuffer message, RoomTime now);
-  /// Mutes a viewer for all, also when it joins again with the same token; or ends that.
-  [[nodiscard]] RoomActions mute(ViewerId viewer, bool muted, RoomTime now);
+  /// Mutes a viewer for all, also when it joins again with the same token; or ends that. Likewise a
+  /// sensor's microphone (wire::speaker_of), until the sensor is forgotten.
+  [[nodiscard]] RoomActions mute(ViewerId speaker, bool muted, RoomTime now);
   /// The reason for which frame() would refuse it; nothing: it would accept it.
   [[nodiscard]] std::optional<Refusal> fault_of(ConnectionId from, const wire::FrameHeader& header,
                                                 RoomTime now);
@@ -151,6 +152,8 @@ class Room {
   bool forget_people(const RemotePresence::Change& change);
   void add_voice(ConnectionId connection, const Viewer& viewer, RoomActions& out);
   void send_voices(RoomTime now, RoomActions& out);
+  [[nodiscard]] std::optional<ViewerId> speaker_at(ConnectionId from);
+  [[nodiscard]] std::optional<Eigen::Vector3f> place_of(ViewerId speaker);
   [[nodiscard]] bool may_hear(const Viewer& viewer) const;
   void change_recorded_voices(RoomTime now, RoomActions& out);
   void name_other_hubs(const wire::pb::Control& message, RoomActions& out);

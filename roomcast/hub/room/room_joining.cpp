@@ -84,6 +84,8 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   }
   sensors_.connect(*sensor, from);
   sensor->token_id = entry.token_id;
+  sensor->may_speak = entry.may_speak;
+  sensor->has_spoken = false;
   sensor->is_at_other_hub = entry.other_hub != 0;
   sensor->description = join.sensor();
   sensor->key_pace = {};  // its first frame is a key frame anyway
@@ -100,6 +102,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
 
   pb::Control welcome = welcome_message(entry);
   welcome.mutable_welcome()->set_sensor_id(sensor->id.value);
+  welcome.mutable_welcome()->set_may_speak(entry.may_speak);
   out.push_back(AcceptConnection{from, Role::kSensor});
   out.push_back(SendControl{{from}, std::move(welcome)});
   out.emplace_back(RestartSensor{sensor->id});
@@ -191,6 +194,7 @@ bool Room::evict_for(const std::string& name) {
   while (sensors_.count() >= settings_.max_sensors || sensors_.would_displace(name)) {
     const RoomSensor* gone = sensors_.longest_gone();
     if (gone == nullptr) return sensors_.count() < settings_.max_sensors;
+    voices_.forget(wire::speaker_of(gone->id));
     sensors_.remove(*gone);
   }
   return true;

@@ -9,33 +9,56 @@ namespace roomcast::hub {
 
 namespace pb = wire::pb;
 
+/// Nothing: who is there may not speak.
+std::optional<ViewerId> Room::speaker_at(ConnectionId from) {
+  if (RoomSensor* sensor = sensors_.find(from); sensor != nullptr && sensor->may_speak) {
+    sensor->has_spoken = true;
+    return wire::speaker_of(sensor->id);
+  }
+  const auto viewer = viewers_.find(from);
+  if (viewer == viewers_.end() || !viewer->second.may_speak) return std::nullopt;
+  return viewer->second.id;
+}
+
+/// A sensor whose pose is not known is somewhere in the room.
+std::optional<Eigen::Vector3f> Room::place_of(ViewerId speaker) {
+  if (const auto id = wire::sensor_of(speaker)) {
+    const RoomSensor* sensor = sensors_.find(*id);
+    if (sensor == nullptr || !sensor->pose.is_placed()) return std::nullopt;
+    return sensor->pose.world_from_depth.translation_m.cast<float>();
+  }
+  const pb::Pose* head = poses_.head_of(speaker);
+  if (head == nullptr) return std::nullopt;
+  return Eigen::Vector3f(head->x(), head->y(), head->z());
+}
+
 RoomActions Room::audio(ConnectionId from, const wire::AudioHeader& header,
                         net::MessageBuffer message, RoomTime now) {
-  const auto found = viewers_.find(from);
-  if (found == viewers_.end() || !found->second.may_speak) {
+  const auto speaking = speaker_at(from);
+  if (!speaking) {
     return refuse(from, pb::ERROR_NOT_ALLOWED, "the rules of this room do not let you speak", now);
   }
   if (header.capture_time > now + wire::kMaxCaptureAhead) {
     return refuse(from, pb::ERROR_MALFORMED,
                   "this audio was recorded in the future: synchronise the clock first", now);
   }
-  const ViewerId speaker = found->second.id;
+  const ViewerId speaker = *speaking;
   ++set_stats_.audio_packets;
   RoomActions out;
   auto to = voices_.receivers(speaker, header.ends, now,
-                              [this](ViewerId viewer) { return poses_.head_of(viewer); });
+                              [this](ViewerId anybody) { return place_of(anybody); });
   if (to.empty()) return out;
   wire::stamp_speaker(message.payload(), speaker);
   out.push_back(SendAudio{std::move(to), speaker, net::frame_message(std::move(message))});
   return out;
 }
 
-RoomActions Room::mute(ViewerId viewer, bool muted, RoomTime now) {
+RoomActions Room::mute(ViewerId speaker, bool muted, RoomTime now) {
   for (const auto& [connection, entry] : viewers_) {
-    if (entry.id != viewer || entry.token_id.empty()) continue;
+    if (entry.id != speaker || entry.token_id.empty()) continue;
     muted ? void(muted_tokens_.insert(entry.token_id)) : void(muted_tokens_.erase(entry.token_id));
   }
-  voices_.set_muted(viewer, muted);
+  voices_.set_muted(speaker, muted);
   return tick(now);
 }
 

@@ -157,5 +157,61 @@ TEST_F(RoomVoiceTest, a_recorder_that_joins_a_room_whose_voices_are_not_recorded
   EXPECT_THAT(all<SendAudio>(speak(speaker, 1s)), IsEmpty());
 }
 
+TEST_F(RoomVoiceTest, a_sensors_microphone_is_heard_under_an_id_of_its_own) {
+  const auto listener = enter(listener_join());
+  const auto sensor = enter(sensor_join("left"), 0s, {.may_speak = true});
+  EXPECT_TRUE(messages(actions, pb::Control::kWelcome).at(0).message.welcome().may_speak());
+  EXPECT_FALSE(room.stats().sensors[0].has_microphone);
+  const auto sent = all<SendAudio>(speak(sensor, 1s));
+  ASSERT_EQ(sent.size(), 1U);
+  EXPECT_THAT(sent[0].to, UnorderedElementsAre(listener));
+  EXPECT_EQ(wire::parse_audio(sent[0].packet->payload())->speaker,
+            wire::speaker_of(room.stats().sensors[0].id));
+  EXPECT_TRUE(room.stats().sensors[0].has_microphone);
+  EXPECT_TRUE(room.stats().sensors[0].speaks);
+  (void)room.leave(sensor, at(2s));
+  EXPECT_FALSE(room.stats().sensors[0].speaks);
+}
+
+TEST_F(RoomVoiceTest, a_muted_microphone_stays_muted_until_the_sensor_is_forgotten) {
+  enter(listener_join());
+  auto sensor = enter(sensor_join("left"), 0s, {.may_speak = true});
+  const ViewerId speaker = wire::speaker_of(room.stats().sensors[0].id);
+  const auto told = messages(room.mute(speaker, true, at(1s)), pb::Control::kVoices);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].message.voices().muted(0), speaker.value);
+  (void)room.leave(sensor, at(2s));
+  sensor = enter(sensor_join("left"), 3s, {.may_speak = true});
+  EXPECT_THAT(speak(sensor, 4s), IsEmpty());
+  EXPECT_TRUE(room.stats().sensors[0].muted);
+  (void)room.leave(sensor, at(5s));
+  (void)room.forget("left", at(6s));
+  sensor = enter(sensor_join("left"), 7s, {.may_speak = true});
+  EXPECT_EQ(all<SendAudio>(speak(sensor, 8s)).size(), 1U);
+}
+
+TEST_F(RoomVoiceTest, a_near_microphone_is_heard_among_many_speakers) {
+  const auto listener = enter(listener_join());
+  pb::Control pose;
+  pose.mutable_viewer_pose()->mutable_head()->set_x(0);
+  (void)room.control(listener, pose, at(0s));
+  const auto near = enter(sensor_join("near", pose_at(1)), 0s, {.may_speak = true});
+  const auto unplaced = enter(sensor_join("somewhere", std::nullopt), 0s, {.may_speak = true});
+  std::vector<ConnectionId> speakers = {near, unplaced};
+  for (int i = 0; i < 7; ++i) {
+    speakers.push_back(enter_speaker());
+    pose.mutable_viewer_pose()->mutable_head()->set_x(static_cast<float>(2 + i));
+    (void)room.control(speakers.back(), pose, at(0s));
+  }
+  for (const auto from : speakers) (void)speak(from, 1s);
+  for (const auto from : speakers) (void)speak(from, 1200ms);
+  const auto reaches = [&](ConnectionId from) {
+    const auto sent = all<SendAudio>(speak(from, 1220ms));
+    return std::ranges::find(sent.at(0).to, listener) != sent.at(0).to.end();
+  };
+  EXPECT_TRUE(reaches(near));
+  EXPECT_FALSE(reaches(unplaced));
+}
+
 }  // namespace
 }  // namespace roomcast::hub

@@ -38,6 +38,8 @@ struct RoomSensor {
   std::size_t bundle_hash = 0;                        // of the newest bundle
   std::optional<std::size_t> verified_by = {};        // hash of the bundle its pose is from
   std::string token_id = {};                          // of the token that it joined with
+  bool may_speak = false;                             // its microphone may be heard
+  bool has_spoken = false;                            // since it joined
   bool is_at_other_hub = false;                       // it is connected to another hub
   std::uint64_t left_as = 0;                          // counts the departures of all sensors
   std::optional<wire::pb::SensorHealth> health = {};  // the newest of this connection

@@ -2,7 +2,6 @@
 #include "roomcast/hub/room/voice_relay.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -13,9 +12,8 @@ namespace roomcast::hub {
 namespace {
 
 /// Infinite if one of them has no head.
-float distance_m(const wire::pb::Pose* a, const wire::pb::Pose* b) {
-  if (a == nullptr || b == nullptr) return std::numeric_limits<float>::infinity();
-  return std::hypot(a->x() - b->x(), a->y() - b->y(), a->z() - b->z());
+float distance_m(const std::optional<Eigen::Vector3f>& a, const std::optional<Eigen::Vector3f>& b) {
+  return a && b ? (*a - *b).norm() : std::numeric_limits<float>::infinity();
 }
 
 }  // namespace
@@ -78,7 +76,7 @@ std::vector<ViewerId> VoiceRelay::nearest(ViewerId listener, const HeadOf& head_
     nanoseconds age;  // since it began to speak
     ViewerId id;
   };
-  const wire::pb::Pose* own = head_of(listener);
+  const auto own = head_of(listener);
   std::vector<Ranked> ranked;
   ranked.reserve(speakers_.size());
   for (const Speaker& speaker : speakers_) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// VoiceRelay: who speaks in a room, whom an admin has muted, and which listeners get whose audio
-// packets: those of the nearest speakers. Pure. docs/spec/wire.md §6.
+// VoiceRelay: who speaks in a room (viewers and sensors' microphones), whom an admin has muted, and
+// which listeners get whose audio packets: those of the nearest speakers. Pure. docs/spec/wire.md
+// §6.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +9,8 @@
 #include <optional>
 #include <set>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "roomcast/core/clock.h"
 #include "roomcast/core/ids.h"
@@ -26,12 +29,14 @@ class VoiceRelay {
   static constexpr std::chrono::milliseconds kChoiceInterval{500};
   static constexpr std::chrono::milliseconds kMinChoiceInterval{100};
 
-  /// The head of a viewer, world frame; null: it has no pose.
-  using HeadOf = std::function<const wire::pb::Pose*(ViewerId)>;
+  /// Where a viewer's head or a sensor's microphone is, metres, world frame; nothing: not known.
+  using HeadOf = std::function<std::optional<Eigen::Vector3f>(ViewerId)>;
 
   void add_listener(ViewerId viewer, ConnectionId connection, Hearing hearing = Hearing::kNearest);
-  /// The viewer has left.
+  /// The viewer has left, or the sensor was forgotten.
   void forget(ViewerId viewer);
+  /// It says nothing more for now. It stays muted if it is.
+  void end(ViewerId speaker);
   /// The packets of a muted viewer go to nobody.
   void set_muted(ViewerId viewer, bool muted);
 
@@ -67,7 +72,6 @@ class VoiceRelay {
 
   void choose(RoomTime now, const HeadOf& head_of);
   [[nodiscard]] std::vector<ViewerId> nearest(ViewerId listener, const HeadOf& head_of) const;
-  void end(ViewerId speaker);
 
   std::vector<Speaker> speakers_;
   std::vector<Listener> listeners_;

@@ -27,12 +27,12 @@ class VoiceRelayTest : public testing::Test {
  protected:
   void listen(std::uint32_t viewer) { relay.add_listener(ViewerId{viewer}, ear(viewer)); }
   static ConnectionId ear(std::uint32_t viewer) { return ConnectionId{100 + viewer}; }
-  void stand(std::uint32_t viewer, float x_m) { heads[ViewerId{viewer}].set_x(x_m); }
+  void stand(std::uint32_t viewer, float x_m) { heads[ViewerId{viewer}] = {x_m, 0, 0}; }
 
   std::vector<ConnectionId> speak(std::uint32_t viewer, nanoseconds now, bool ends = false) {
     return relay.receivers(ViewerId{viewer}, ends, moment(now), [this](ViewerId id) {
       const auto head = heads.find(id);
-      return head == heads.end() ? nullptr : &head->second;
+      return head == heads.end() ? std::nullopt : std::optional(head->second);
     });
   }
   /// All of 1 to `count` speak, the last one after all are known.
@@ -41,7 +41,7 @@ class VoiceRelayTest : public testing::Test {
   }
 
   VoiceRelay relay;
-  std::map<ViewerId, wire::pb::Pose> heads;
+  std::map<ViewerId, Eigen::Vector3f> heads;
 };
 
 TEST_F(VoiceRelayTest, everybody_but_the_speaker_hears_it) {

@@ -93,14 +93,14 @@ void Session::take_frame(net::MessageBuffer message) {
 }
 
 void Session::take_audio(net::MessageBuffer message) {
-  if (is_sensor_ || !is_accepted_) {
-    return disconnect(pb::ERROR_UNEXPECTED, "only a viewer that has joined may send audio");
+  if (!is_accepted_) {
+    return disconnect(pb::ERROR_UNEXPECTED, "only who has joined may send audio");
   }
   const auto header = wire::parse_audio(message.payload());
   if (!header) return refuse(header.error());
   const HostTime now = clock_.now();
   if (!audio_packets_.take(1, now) || !audio_bytes_.take(static_cast<double>(message.size()), now))
-    return disconnect(pb::ERROR_TOO_FAST, "this is more audio than one person speaks");
+    return disconnect(pb::ERROR_TOO_FAST, "this is more audio than one microphone gives");
   hub_.on_audio(id(), *header, std::move(message));
 }
 

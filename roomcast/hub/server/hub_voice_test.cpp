@@ -84,11 +84,27 @@ TEST_F(HubVoiceTest, an_oversized_packet_is_refused) {
   expect_refusal(*speaker, pb::ERROR_TOO_LARGE);
 }
 
-TEST_F(HubVoiceTest, a_sensor_or_somebody_who_has_not_joined_does_not_speak) {
+TEST_F(HubVoiceTest, the_sound_of_a_sensors_microphone_reaches_listeners) {
+  const auto listener = join(true);
   const auto sensor = connect(join_as_sensor("left"));
   run_until([&] { return !sensor->received.empty(); });
-  send(*sensor, audio_packet(0));
-  expect_refusal(*sensor, pb::ERROR_UNEXPECTED);
+  const pb::Welcome welcome = sensor->received.at(0).welcome();
+  EXPECT_TRUE(welcome.may_speak());
+  send(*sensor, audio_packet(3));
+  run_until([&] { return !listener->audio.empty(); });
+  const auto id = static_cast<std::uint16_t>(welcome.sensor_id());
+  EXPECT_EQ(wire::sensor_of(listener->audio.at(0).speaker), SensorId{id});
+  EXPECT_EQ(listener->audio.at(0).seq, 3U);
+}
+
+TEST_F(HubVoiceTest, a_sensor_that_floods_with_audio_is_disconnected) {
+  const auto sensor = connect(join_as_sensor("left"));
+  run_until([&] { return !sensor->received.empty(); });
+  send(*sensor, audio_packet(0), 200);
+  expect_refusal(*sensor, pb::ERROR_TOO_FAST);
+}
+
+TEST_F(HubVoiceTest, somebody_who_has_not_joined_does_not_speak) {
   const auto stranger = connect(std::deque{audio_packet(0)});
   expect_refusal(*stranger, pb::ERROR_UNEXPECTED);
 }
@@ -104,6 +120,9 @@ TEST_F(SilentRoomTest, only_those_may_speak_whom_the_rooms_rules_let) {
   send(*guest, audio_packet(0));
   expect_refusal(*guest, pb::ERROR_NOT_ALLOWED);
   EXPECT_TRUE(join(true, true)->received.at(0).welcome().may_speak());
+  const auto sensor = connect(join_as_sensor("left"));
+  run_until([&] { return !sensor->received.empty(); });
+  EXPECT_FALSE(sensor->received.at(0).welcome().may_speak());
 }
 
 }  // namespace
