@@ -310,22 +310,25 @@ ROOMCAST_API int roomcast_remove_mark(roomcast_viewer* viewer, uint32_t id, char
 
 /* ---- Voices: since 1.6.0 ---- */
 
-#define ROOMCAST_VOICE_RATE_HZ 48000  /* of all samples, which are of one channel, -1 to 1 */
-#define ROOMCAST_VOICE_SAMPLES 960    /* of one packet: 20 ms */
-#define ROOMCAST_VOICE_MAX_BYTES 1275 /* of one packet in Opus (RFC 6716) */
+#define ROOMCAST_VOICE_RATE_HZ 48000      /* of all samples, which are of one channel, -1 to 1 */
+#define ROOMCAST_VOICE_SAMPLES 960        /* of one packet: 20 ms */
+#define ROOMCAST_VOICE_MAX_BYTES 1275     /* of one packet in Opus (RFC 6716) */
+#define ROOMCAST_VOICE_SENSOR 0x80000000u /* of a speaker: it is this plus a sensor's ID */
 
-/* 20 ms of somebody's voice. The caller sets the first two pointers. */
+/* 20 ms of somebody's voice, or of the sound at a sensor that has a microphone. The caller sets the
+ * first two pointers. */
 typedef struct roomcast_voice {
   size_t size;
-  float* samples;             /* gets ROOMCAST_VOICE_SAMPLES samples; NULL: not wanted */
-  uint8_t* opus;              /* gets at most ROOMCAST_VOICE_MAX_BYTES; NULL: not wanted */
-  size_t opus_bytes;          /* 0: this packet was lost on its way, and `samples` conceals that */
-  uint32_t speaker;           /* a person's ID */
-  uint32_t seq;               /* counts the speaker's packets */
-  int32_t ends;               /* 1: the speaker pauses after it */
-  int32_t has_head;           /* 0: where the speaker is is not known */
-  int64_t capture_ns;         /* of the first sample, on the room clock */
-  double world_from_head[16]; /* where the speaker is now, as in roomcast_person */
+  float* samples;     /* gets ROOMCAST_VOICE_SAMPLES samples; NULL: not wanted */
+  uint8_t* opus;      /* gets at most ROOMCAST_VOICE_MAX_BYTES; NULL: not wanted */
+  size_t opus_bytes;  /* 0: this packet was lost on its way, and `samples` conceals that */
+  uint32_t speaker;   /* a person's ID, or ROOMCAST_VOICE_SENSOR plus a sensor's */
+  uint32_t seq;       /* counts the speaker's packets */
+  int32_t ends;       /* 1: the speaker pauses after it */
+  int32_t has_head;   /* 0: where the speaker is is not known */
+  int64_t capture_ns; /* of the first sample, on the room clock */
+  double
+      world_from_head[16]; /* where the speaker is now, as in roomcast_person; of a sensor, too */
 } roomcast_voice;
 
 /* The next packet of somebody's voice, for a viewer that joined with `hears`. Packets come as the

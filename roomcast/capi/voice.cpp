@@ -10,7 +10,9 @@
 #include "roomcast/capi/c_border.h"
 #include "roomcast/capi/roomcast.h"
 #include "roomcast/capi/viewer.h"
+#include "roomcast/client/room/speaker.h"
 #include "roomcast/client/voices/speak.h"
+#include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/limits.h"
 
 namespace {
@@ -19,6 +21,7 @@ using namespace roomcast;
 
 static_assert(ROOMCAST_VOICE_RATE_HZ == voice::kVoiceRate_hz);
 static_assert(ROOMCAST_VOICE_SAMPLES == voice::kPacketSamples);
+static_assert(ROOMCAST_VOICE_SENSOR == wire::kSensorSpeakers);
 static_assert(ROOMCAST_VOICE_MAX_BYTES == wire::kMaxAudioPayloadBytes);
 
 std::optional<client::VoiceListener::Heard> next_heard(roomcast_viewer& viewer, int timeout_ms) {
@@ -33,11 +36,10 @@ std::optional<client::VoiceListener::Heard> next_heard(roomcast_viewer& viewer, 
 }
 
 void locate(const client::RoomSnapshot& room, roomcast_voice& voice) {
-  const auto person =
-      std::ranges::find(room.people, ViewerId{voice.speaker}, &client::RoomPerson::id);
-  if (person == room.people.end() || !person->pose) return;
+  const auto world_from_head = client::world_from_speaker(room, ViewerId{voice.speaker});
+  if (!world_from_head) return;
   voice.has_head = 1;
-  std::ranges::copy(row_major_from_transform(person->pose->world_from_head), voice.world_from_head);
+  std::ranges::copy(row_major_from_transform(*world_from_head), voice.world_from_head);
 }
 
 void fill_voice(const roomcast_viewer& viewer, const client::VoiceListener::Heard& heard,

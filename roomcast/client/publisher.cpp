@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/client/publisher.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -15,6 +16,7 @@
 #include "roomcast/client/sensor_messages.h"
 #include "roomcast/client/stop_notice.h"
 #include "roomcast/client/uplink/uplink_monitor.h"
+#include "roomcast/client/voice_sender.h"
 #include "roomcast/net/framed_message.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/limits.h"
@@ -96,6 +98,17 @@ class Publisher::Link final : public HubLinkEvents {
   void send(wire::pb::Control message) {
     boost::asio::post(network_.io(), [this, message = std::move(message)] { link_.send(message); });
   }
+  bool may_speak() const {
+    std::lock_guard lock(mutex_);
+    return shared_.connected && shared_.may_speak;
+  }
+  void say(std::vector<std::uint8_t> opus, bool ends, HostTime first_sample) {
+    if (!may_speak()) return;
+    boost::asio::post(network_.io(), [this, opus = std::move(opus), ends, first_sample] {
+      voice_.say(opus, ends, first_sample);
+      link_.wake();
+    });
+  }
   void report_moved() {
     boost::asio::post(network_.io(), [this] {
       bundle_.reset();
@@ -125,7 +138,7 @@ class Publisher::Link final : public HubLinkEvents {
     uplink.waiting_bytes += shared_.unsent_bytes;
     return uplink;
   }
-  std::uint64_t control_bytes() const { return link_.control_bytes(); }
+  std::uint64_t control_bytes() const { return link_.control_bytes() + sound_bytes_; }
 
   std::optional<Error> failure() const {
     std::lock_guard lock(mutex_);
@@ -156,6 +169,7 @@ class Publisher::Link final : public HubLinkEvents {
     bool connected = false;
     bool want_key = false;
     bool frames_wanted = true;
+    bool may_speak = false;
     wire::pb::SightingRequest wanted_sightings;
     std::optional<double> depth_scale;
     std::optional<ClockEstimate> clock;
@@ -182,10 +196,12 @@ class Publisher::Link final : public HubLinkEvents {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   Shared shared_;
+  std::atomic<std::uint64_t> sound_bytes_{0};
 
   // Used by the network thread only.
   NetworkThread network_;
   std::deque<net::FramedMessagePtr> unsent_;
+  VoiceSender voice_;
   std::optional<wire::pb::Control> bundle_;
   bool moved_ = false;  // true since the first move
   HubLink link_;
@@ -194,6 +210,7 @@ class Publisher::Link final : public HubLinkEvents {
 
 void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
   unsent_.clear();
+  voice_.joined();
   // The join has just sent the configured pose again, or the hub has restored a stored one; both
   // may predate the move.
   if (moved_ && (!bundle_ || options_.world_from_depth)) link_.send(moved_message());
@@ -206,6 +223,7 @@ void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
     shared_.connected = true;
     shared_.want_key = true;
     shared_.frames_wanted = true;
+    shared_.may_speak = welcome.may_speak();
     shared_.wanted_sightings.Clear();
     shared_.clock.reset();
     shared_.unsent = shared_.unsent_bytes = 0;
@@ -231,6 +249,10 @@ void Publisher::Link::on_control(const wire::pb::Control& message) {
 }
 
 net::FramedMessagePtr Publisher::Link::next_frame() {
+  if (auto sound = voice_.next()) {
+    sound_bytes_ += sound->size();
+    return sound;
+  }
   if (unsent_.empty()) return nullptr;
   auto message = std::move(unsent_.front());
   unsent_.pop_front();
@@ -243,11 +265,13 @@ net::FramedMessagePtr Publisher::Link::next_frame() {
 }
 
 void Publisher::Link::on_clock(const ClockEstimate& estimate) {
+  voice_.clock_is(estimate);
   std::lock_guard lock(mutex_);
   shared_.clock = estimate;
 }
 
 void Publisher::Link::on_down(const Error& reason, bool final) {
+  voice_.lost();
   unsent_.clear();  // they carry an ID that may be invalid on the next connection
   uplink_.stop();
   bool is_news = false;
@@ -363,6 +387,12 @@ void Publisher::send_bundle(wire::pb::CalibrationBundle bundle) {
 
 void Publisher::send(wire::pb::Control message) {
   link_->send(std::move(message));
+}
+bool Publisher::may_speak() const {
+  return link_->may_speak();
+}
+void Publisher::say(std::vector<std::uint8_t> opus, bool ends, HostTime first_sample) {
+  link_->say(std::move(opus), ends, first_sample);
 }
 void Publisher::report_moved() {
   link_->report_moved();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Publisher: sends one sensor's frames to the hub (the paper's Algorithm 1, "send"). If the network
 // does not keep up, it makes the sensor's loop skip frames before they are encoded, so that no
-// encoded frame is lost on the way to the network. Threading: one thread calls all methods; the
-// network has a thread of its own.
+// encoded frame is lost on the way to the network. Sound goes ahead of frames. Threading: one
+// thread calls all methods that do not say otherwise; the network has a thread of its own.
 #pragma once
 
 #include <chrono>
@@ -12,6 +12,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "roomcast/client/credential.h"
 #include "roomcast/client/uplink/uplink.h"
@@ -63,7 +64,7 @@ class Publisher {
   ~Publisher();
 
   /// Whether anybody receives this sensor's frames, by the hub's word. True without a connection,
-  /// and with `send_unwatched`.
+  /// and with `send_unwatched`. Thread-safe.
   [[nodiscard]] bool frames_wanted() const;
   /// Waits until frames are wanted, at most `patience`. Also returns when `stop` is requested or
   /// the connection has ended for good.
@@ -101,6 +102,14 @@ class Publisher {
   /// Sends what the sensor has to say at the moment: its health, sightings, instants. Lost without
   /// a connection.
   void send(wire::pb::Control message);
+
+  /// Whether the room lets the sensor's microphone be heard; false without a connection, too.
+  /// Thread-safe, as is the next one.
+  [[nodiscard]] bool may_speak() const;
+  /// Sends a packet of the microphone's sound: 20 ms of Opus, at most wire::kMaxAudioPayloadBytes.
+  /// `ends`: a pause follows. Lost without a connection, or without room time, or while the room
+  /// does not permit it.
+  void say(std::vector<std::uint8_t> opus, bool ends, HostTime first_sample);
 
   /// Reports that the sensor was moved: its known pose is invalid. A new bundle should follow.
   void report_moved();

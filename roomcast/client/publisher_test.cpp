@@ -206,6 +206,30 @@ TEST_F(PublisherTest, a_stop_ends_the_wait_for_a_viewer) {
   EXPECT_EQ(waiting.wait_for(5s), std::future_status::ready);
 }
 
+TEST_F(PublisherTest, the_microphone_is_heard_where_the_room_permits_it) {
+  EXPECT_FALSE(publisher->may_speak()) << "a hub that says nothing of it";
+  publisher->say({1, 2, 3}, false, SteadyClock().now());
+  ask_hub([](FakeHub& h) {
+    h.lets_speak = true;
+    h.hang_up();
+    return 0;
+  });
+  const auto give_up = std::chrono::steady_clock::now() + 5s;
+  const auto goes_on = [&] { return std::chrono::steady_clock::now() < give_up; };
+  while (!publisher->may_speak() && goes_on()) std::this_thread::sleep_for(5ms);
+  ASSERT_TRUE(publisher->may_speak());
+  (void)wait_for_turn();  // room time is known
+  publisher->say({1, 2, 3}, false, SteadyClock().now());
+  publisher->say({1, 2, 3}, true, SteadyClock().now());
+  std::vector<wire::AudioHeader> voices;
+  while (voices.size() < 2 && goes_on()) voices = ask_hub([](FakeHub& h) { return h.voices; });
+  ASSERT_EQ(voices.size(), 2u);
+  EXPECT_EQ(voices[0].seq, 0u);
+  EXPECT_EQ(voices[0].payload_length, 3u);
+  EXPECT_TRUE(voices[1].ends);
+  EXPECT_GE(publisher->control_bytes(), 2 * (wire::kAudioHeaderBytes + 3));
+}
+
 TEST_F(PublisherTest, while_frames_pile_up_no_turn_is_granted) {
   (void)wait_for_turn();  // the clock is known
   // The hub's thread is blocked, so nothing is read and the socket fills.

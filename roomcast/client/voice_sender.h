@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// VoiceSender: numbers and frames this viewer's audio packets (docs/spec/wire.md section 6).
-// Packets that the network has no room for are dropped, oldest first; the numbering tells
-// listeners. Single-threaded.
+// VoiceSender: numbers and frames the audio packets of this viewer or sensor (docs/spec/wire.md
+// section 6). Packets that the network has no room for are dropped, oldest first; the numbering
+// tells listeners. Single-threaded.
 #pragma once
 
 #include <cstddef>

@@ -16,6 +16,7 @@
 #include <pybind11/stl.h>
 
 #include "roomcast/client/nudge.h"
+#include "roomcast/client/room/speaker.h"
 #include "roomcast/client/room_requests.h"
 #include "roomcast/client/voices/speak.h"
 #include "roomcast/python/arrays.h"
@@ -254,7 +255,14 @@ void add_voices(py::module_& module) {
   py::class_<VoiceListener::Heard>(module, "Voice", "20 ms of somebody's voice.")
       .def_property_readonly(
           "speaker", [](const VoiceListener::Heard& v) { return v.packet.speaker.value; },
-          "A person's ID.")
+          "A person's ID; of a sensor's microphone, a number that no person has.")
+      .def_property_readonly(
+          "sensor",
+          [](const VoiceListener::Heard& v) {
+            const auto sensor = client::sensor_of_speaker(v.packet.speaker);
+            return sensor ? std::optional<int>(sensor->value) : std::nullopt;
+          },
+          "The number of the sensor whose microphone it is; None: a person speaks.")
       .def_property_readonly(
           "seq", [](const VoiceListener::Heard& v) { return v.packet.seq; },
           "Counts the speaker's packets.")

@@ -41,6 +41,8 @@ struct RoomSensor {
   /// The hub sends no frames, or had sent none before and the first one is still to come, because
   /// this viewer cannot see what the sensor shows. The picture is old.
   bool is_paused = false;
+  bool speaking = false;  // its microphone is heard; these two are known to viewers that hear
+  bool muted = false;     // its microphone, by an admin
   std::uint64_t frames_received = 0;
   std::uint64_t frames_missed = 0;  // skipped on their way, or not decodable
   std::uint64_t bytes_received = 0;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "roomcast/client/room/calibration_message.h"
+#include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/pose_message.h"
 
@@ -45,6 +46,8 @@ void RoomState::disconnected(std::string problem) {
   room_.connected = false;
   room_.problem = std::move(problem);
   room_.people.clear();
+  voices_.Clear();
+  update_voices();
   ++room_.people_revision;
 }
 
@@ -67,6 +70,10 @@ void RoomState::update_voices() {
   for (RoomPerson& person : room_.people) {
     person.speaking = names(voices_.speaking(), person.id);
     person.muted = names(voices_.muted(), person.id);
+  }
+  for (RoomSensor& sensor : room_.sensors) {
+    sensor.speaking = names(voices_.speaking(), wire::speaker_of(sensor.id));
+    sensor.muted = names(voices_.muted(), wire::speaker_of(sensor.id));
   }
 }
 
@@ -126,6 +133,7 @@ Status RoomState::roster(const wire::pb::Roster& roster) {
     if (auto status = update_sensor(entry); !status) return status;
   }
   room_.sensors_known = true;
+  update_voices();
   return {};
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/client/room/calibration_message.h"
+#include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/frame_header.h"
 #include "roomcast/wire/pose_message.h"
 
@@ -276,6 +277,19 @@ TEST_F(RoomStateTest, a_lost_connection_keeps_the_room_and_says_why) {
   EXPECT_FALSE(room->connected);
   EXPECT_EQ(room->problem, "the hub has gone");
   EXPECT_NE(room->sensors[0].picture, nullptr);
+}
+
+TEST_F(RoomStateTest, sensors_whose_microphones_are_heard_are_known) {
+  wire::pb::Voices voices;
+  voices.add_speaking(wire::speaker_of(SensorId{1}).value);
+  voices.add_muted(wire::speaker_of(SensorId{0}).value);
+  state.voices(voices);
+  const auto room = state.snapshot();
+  EXPECT_FALSE(room->sensors[0].speaking);
+  EXPECT_TRUE(room->sensors[0].muted);
+  EXPECT_TRUE(room->sensors[1].speaking);
+  state.disconnected("away");
+  EXPECT_FALSE(state.snapshot()->sensors[1].speaking);
 }
 
 }  // namespace
