@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // roomcast devices: lists the connected cameras and their options, and explains why one cannot be
-// opened.
+// opened; and the microphones.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -12,6 +12,7 @@
 
 #include "roomcast/cli/command.h"
 #include "roomcast/cli/print.h"
+#include "roomcast/sound/microphone_source.h"
 #include "roomcast/source/camera/usb_device.h"
 #include "roomcast/source/drivers/camera_kinds.h"
 
@@ -121,6 +122,8 @@ void print(const std::vector<Kind>& kinds) {
     }
   }
   if (!any) print_out("no camera is plugged in\n");
+  for (const auto& [source, description] : sound::known_microphones())
+    print_out("{}\n  microphone: {}\n", source, description);
   print_out("\n");
   for (const Kind& kind : kinds) {
     print_out("{:<10} {:<38} {}\n", kind.kind->name, kind.kind->cameras,
@@ -153,6 +156,9 @@ nlohmann::json json_of(const std::vector<Kind>& kinds) {
     if (kind.problem) row["problem"] = *kind.problem;
     json["kinds"].push_back(std::move(row));
   }
+  json["microphones"] = nlohmann::json::array();
+  for (const auto& [source, description] : sound::known_microphones())
+    json["microphones"].push_back({{"source", source}, {"description", description}});
   return json;
 }
 
@@ -170,13 +176,14 @@ Status run_devices(bool as_json) {
 
 void add_devices_command(CLI::App& app, Command& chosen) {
   auto as_json = std::make_shared<bool>(false);
-  CLI::App* command =
-      app.add_subcommand("devices", "List cameras, their features, and problems in opening them");
+  CLI::App* command = app.add_subcommand(
+      "devices", "List cameras, their features, and problems in opening them; and microphones");
   command->add_flag("--json", *as_json, "Print JSON");
   command->footer(
       "Example:\n"
       "  roomcast devices\n"
-      "The name above \"ready\" or \"cannot be opened\" is the --source for roomcast sensor.");
+      "The name above \"ready\" or \"cannot be opened\" is the --source for roomcast sensor,\n"
+      "the one above \"microphone\" its --audio.");
   command->callback([as_json, &chosen] {
     chosen = [as_json] { return finish("devices", run_devices(*as_json)); };
   });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast sensor: streams one sensor's frames into a room.
+// roomcast sensor: streams one sensor's frames into a room, and a microphone's sound.
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -21,6 +23,7 @@
 #include "roomcast/cli/token_option.h"
 #include "roomcast/sensor/sensor_feed.h"
 #include "roomcast/sensor/source_factory.h"
+#include "roomcast/sound/microphone_source.h"
 
 namespace roomcast::cli {
 namespace {
@@ -31,6 +34,7 @@ struct SensorCommandOptions {
   sensor::SensorFeedOptions feed;
   TokenOption token;
   std::string frame_log;
+  std::string audio;
   bool once = false;
   bool always = false;
   bool json = false;
@@ -51,6 +55,25 @@ std::string interference_text(const sensor::InterferenceFigures& figures) {
   return text.empty() ? text : text + " (infrared interference)";
 }
 
+/// Empty without a microphone.
+std::string microphone_text(const std::optional<sensor::RoomMicrophoneStats>& microphone) {
+  if (!microphone) return {};
+  if (!microphone->is_connected) return ", waiting for the microphone";
+  if (microphone->has_ended) return ", the sound has ended";
+  if (!microphone->is_permitted) return ", the room does not let it be heard";
+  constexpr double kSilence = 1e-5;
+  return fmt::format(", sound {:.0f} dB",
+                     20 * std::log10(std::max(microphone->loudness, kSilence)));
+}
+
+nlohmann::ordered_json microphone_json(const sensor::RoomMicrophoneStats& microphone) {
+  return {{"connected", microphone.is_connected},
+          {"permitted", microphone.is_permitted},
+          {"ended", microphone.has_ended},
+          {"loudness", microphone.loudness},
+          {"packets_sent", microphone.packets_sent}};
+}
+
 nlohmann::ordered_json status_json(const std::string& name, const sensor::SensorFeedStats& now,
                                    const sensor::SensorFeedStats& before) {
   nlohmann::ordered_json json = {{"sensor", name},
@@ -62,6 +85,7 @@ nlohmann::ordered_json status_json(const std::string& name, const sensor::Sensor
                                  {"frames_lost", now.source.frames_lost},
                                  {"unplugged", now.source.disconnect_count}};
   if (now.line_mbit_per_s > 0) json["line_mbit_per_s"] = now.line_mbit_per_s;
+  if (now.microphone) json["microphone"] = microphone_json(*now.microphone);
   if (now.interference.is_known) {
     json["interference"] = {{"flickering", now.interference.flickering},
                             {"noise_ratio", now.interference.noise_ratio}};
@@ -81,7 +105,7 @@ std::string status_text(const std::string& name, const sensor::SensorFeedStats& 
   if (now.source.frames_lost > 0) text += fmt::format(", {} lost", now.source.frames_lost);
   if (now.source.disconnect_count > 0)
     text += fmt::format(", unplugged {} times", now.source.disconnect_count);
-  return text + interference_text(now.interference);
+  return text + microphone_text(now.microphone) + interference_text(now.interference);
 }
 
 Status wait_for_end(const sensor::SensorFeed& feed, const std::string& name, bool json,
@@ -123,6 +147,10 @@ Status run_sensor(SensorCommandOptions options) {
   options.feed.log = stderr_log("sensor", options.verbose);
   options.feed.filter_interference = !options.keep_interference;
   options.feed.complete_planes = !options.keep_holes;
+  if (!options.audio.empty())
+    options.feed.microphone = [audio = options.audio, loops = !options.once] {
+      return sound::open_microphone(audio, loops);
+    };
   if (!options.frame_log.empty()) options.feed.frame_log = options.frame_log;
   options.feed.send_unwatched = options.always || options.once;
   options.feed.stop = stop.token();
@@ -169,6 +197,10 @@ void add_sensor_command(CLI::App& app, Command& chosen) {
   add_camera_options(*command, options->source_options);
   command->add_option("--preview", options->feed.preview,
                       "JPEG file, rewritten each second with the sensor's picture");
+  command->add_option(
+      "--audio", options->audio,
+      std::string("A microphone whose sound is heard from where the sensor stands: ") +
+          sound::kMicrophoneSources);
   add_codec_options(*command, options->feed.codec);
   command->add_flag("--keep-interference", options->keep_interference,
                     "With --codec live: do not remove what the infrared light of other cameras "
@@ -188,7 +220,8 @@ void add_sensor_command(CLI::App& app, Command& chosen) {
                       "Write one JSON line per frame sent: seq, capture_ns, depth_crc32");
   command->add_flag("--verbose", options->verbose, "Log joins");
   command->footer(
-      "Example:\n  roomcast sensor --source rig:recordings/lab#s0 --hub ws://127.0.0.1:7600");
+      "Examples:\n  roomcast sensor --source rig:recordings/lab#s0 --hub ws://127.0.0.1:7600\n"
+      "  roomcast sensor --source freenect:0 --audio default");
   command->callback([options, &chosen] {
     chosen = [options] { return finish("sensor", run_sensor(*options)); };
   });

@@ -51,7 +51,8 @@ client::PublisherOptions publisher_options(const source::SensorDescription& sens
 class SensorFeed::Worker {
  public:
   Worker(std::unique_ptr<source::FrameSource> source, std::unique_ptr<FrameSender> sender,
-         const SensorFeedOptions& options, std::optional<FrameLog> frame_log)
+         std::unique_ptr<sound::Microphone> microphone, const SensorFeedOptions& options,
+         std::optional<FrameLog> frame_log)
       : source_(std::move(source)),
         log_(options.log),
         bundle_(source_->description().name, source_->description().calibration),
@@ -63,6 +64,8 @@ class SensorFeed::Worker {
     if (!options.preview.empty()) preview_.emplace(options.preview);
     if (options.complete_planes && options.codec.depth_mode == codec::DepthMode::kLive)
       completion_.emplace(source_->description().calibration);
+    if (microphone)
+      microphone_.emplace(std::move(microphone), options.microphone, sender_->publisher(), log_);
   }
 
   void run(const std::stop_token& stop) {
@@ -96,7 +99,8 @@ class SensorFeed::Worker {
         sender_->publisher().frames_wanted(),
         source_->health(),
         figures_,
-        net::line_mbit_per_s(sender_->publisher().uplink().value_or(client::Uplink()).bytes_per_s)};
+        net::line_mbit_per_s(sender_->publisher().uplink().value_or(client::Uplink()).bytes_per_s),
+        microphone_ ? std::optional(microphone_->stats()) : std::nullopt};
   }
   std::optional<Status> result() const {
     std::lock_guard lock(mutex_);
@@ -269,6 +273,7 @@ class SensorFeed::Worker {
   std::optional<Preview> preview_;
   bool preview_failed_ = false;
   std::unique_ptr<FrameSender> sender_;
+  std::optional<RoomMicrophone> microphone_;
   source::CapturedFrame captured_;  // reused for every frame
 
   mutable std::mutex mutex_;
@@ -294,10 +299,16 @@ Result<std::unique_ptr<SensorFeed>> SensorFeed::start(std::unique_ptr<source::Fr
     if (!opened) return opened.error();
     frame_log = std::move(*opened);
   }
+  std::unique_ptr<sound::Microphone> microphone;
+  if (options.microphone) {
+    auto opened = options.microphone();
+    if (!opened) return opened.error();
+    microphone = *std::move(opened);
+  }
   auto sender = FrameSender::open(publisher_options(sensor, options), options.codec);
   if (!sender) return sender.error();
-  auto worker = std::make_unique<Worker>(std::move(source), std::move(*sender), options,
-                                         std::move(frame_log));
+  auto worker = std::make_unique<Worker>(std::move(source), std::move(*sender),
+                                         std::move(microphone), options, std::move(frame_log));
   return std::unique_ptr<SensorFeed>(new SensorFeed(std::move(worker)));
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SensorFeed: the capture pipeline of a sensor, the paper's Algorithm 1 from end to end: capture,
 // map colour into the depth grid, compress, send. While nobody watches the room, the feed captures
-// a few frames a second, by which it notices that the sensor is moved, and sends none. Threading:
-// runs on a thread of its own; the methods are thread-safe.
+// a few frames a second, by which it notices that the sensor is moved, and sends none. A
+// microphone's sound goes along. Threading: runs on a thread of its own; the methods are
+// thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,9 @@
 #include "roomcast/core/log.h"
 #include "roomcast/core/result.h"
 #include "roomcast/sensor/interference_meter.h"
+#include "roomcast/sensor/room_microphone.h"
 #include "roomcast/sensor/sender/codec_choice.h"
+#include "roomcast/sound/microphone.h"
 #include "roomcast/source/frame_source.h"
 
 namespace roomcast::sensor {
@@ -34,7 +37,8 @@ struct SensorFeedOptions {
   bool complete_planes = true;      // likewise: depth where a large plane returns none
   bool send_pose = true;            // send the source's pose; else the hub's aligner estimates it
   std::optional<std::filesystem::path> frame_log;  // one JSON line per frame sent
-  std::filesystem::path preview;  // path of a picture, written once a second; empty: none
+  sound::OpenMicrophone microphone = {};  // whose sound is sent with the frames; none: no sound
+  std::filesystem::path preview;          // path of a picture, written once a second; empty: none
   LogSink log;
   std::stop_token stop = {};  // ends the wait of start() for the hub
 };
@@ -48,12 +52,13 @@ struct SensorFeedStats {
   InterferenceFigures interference;
   /// What the line to the hub carries, with headers of TCP and IP, by estimate; 0: not estimated.
   double line_mbit_per_s = 0;
+  std::optional<RoomMicrophoneStats> microphone = {};  // of a feed that has one
 };
 
 class SensorFeed {
  public:
-  /// Joins the hub, then starts sending. Errors: those of registration, encoder and
-  /// Publisher::open.
+  /// Opens the microphone, joins the hub, then starts sending. Errors: those of the microphone,
+  /// registration, encoder and Publisher::open.
   static Result<std::unique_ptr<SensorFeed>> start(std::unique_ptr<source::FrameSource> source,
                                                    SensorFeedOptions options);
   /// Stops and leaves the hub.
