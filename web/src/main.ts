@@ -136,7 +136,7 @@ class Page {
   }
 
   private makeSound(): Sound {
-    const heads = { own: () => this.body.head, of: (viewer: number) => this.state.poses.get(viewer)?.head };
+    const heads = { own: () => this.body.head, of: (speaker: number) => this.state.placeOf(speaker) };
     const connectHub = (port: MessagePort) => this.link.connectVoice(port);
     return new Sound({ heads, store: browserStorage.store, connectHub }, { loaded: () => this.panel.showPeople() });
   }
@@ -316,7 +316,7 @@ class Page {
     this.showRoster();
     if (roster.viewers.length > (before?.viewers.length ?? 0)) this.tellPosePublisher();
     this.standpoint.followRoster(roster, before);
-    this.sound.follow(roster.viewers);
+    this.sound.follow(roster);
     this.panel.rebuild();
     this.places.show();
   }

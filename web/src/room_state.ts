@@ -10,9 +10,11 @@ import {
   type Body,
   type ConnectionState,
   type DecodedRecord,
+  type PlainPose,
   type Status,
   type ViewFrame,
 } from './stream/protocol';
+import { microphonePlace } from './voice/sensor_speaker';
 
 const keptRecords = 100; // per sensor
 const latencyWindow_ms = 1000;
@@ -29,9 +31,9 @@ export class RoomState {
   status: Status | undefined;
   body: Body | undefined; // current pose of the headset's wearer
   readonly poses = new Map<number, ViewerPose>(); // of the other viewers, as received
-  speaking: ReadonlySet<number> = new Set(); // viewers
+  speaking: ReadonlySet<number> = new Set(); // viewers, and microphones of sensors (voice/sensor_speaker.ts)
   readonly unseen = new Set<number>(); // sensors that were paused, as this viewer cannot see what they show; until their next frame
-  muted: ReadonlySet<number> = new Set(); // viewers, by an admin
+  muted: ReadonlySet<number> = new Set(); // of these, by an admin
   broken = ''; // reason why the page cannot continue
   consoleProblem = ''; // reason why the console is not there
   shownSets = 0;
@@ -76,6 +78,11 @@ export class RoomState {
 
   get onlineSensors(): RoomSensor[] {
     return this.roster?.sensors.filter((sensor) => sensor.online) ?? [];
+  }
+
+  /** The head of a person, or a sensor's microphone. */
+  placeOf(speaker: number): PlainPose | undefined {
+    return this.poses.get(speaker)?.head ?? microphonePlace(speaker, this.roster?.sensors ?? []);
   }
 
   /** This viewer's own, as the others see it: 0xRRGGBB. */

@@ -3,8 +3,10 @@
 // loaded when somebody speaks or wants to speak; nobody else waits for it.
 import type { Voices } from './gen/control_pb';
 import { element, setText } from './panel/element';
+import type { RoomRoster } from './room_roster';
 import { voiceTexts as texts } from './texts';
 import { hearingObstacle, soundSupport, speakingObstacle, type Rights } from './voice/obstacle';
+import { speakerOf } from './voice/sensor_speaker';
 import type { Voice, VoiceParts } from './voice/voice';
 import type { VoiceControls } from './voice/voice_controls';
 
@@ -74,8 +76,8 @@ export class Sound {
     if (!this.loading && !hearingObstacle(this.support)) void this.ready();
   }
 
-  follow(viewers: readonly { id: number; recordsVoices: boolean }[]): void {
-    this.voice?.follow(viewers);
+  follow({ viewers, sensors }: RoomRoster): void {
+    this.voice?.follow([...viewers.map(({ id }) => id), ...sensors.map(({ id }) => speakerOf(id))]);
     const isRecorded = viewers.some(({ recordsVoices }) => recordsVoices);
     if (isRecorded === this.isRecorded) return;
     this.isRecorded = isRecorded;

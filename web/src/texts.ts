@@ -155,6 +155,7 @@ export const voiceTexts = {
   isMuted: 'muted',
   records: 'records',
   recordsVoices: 'records, with voices',
+  isHeard: 'is heard', // the microphone of a sensor
 };
 
 export const hintTexts = {

@@ -39,7 +39,10 @@ export interface ConsoleEvents {
 }
 
 export class Console {
-  private readonly cards = new SensorCards((sensor) => void this.forget(sensor));
+  private readonly cards = new SensorCards({
+    forget: (sensor) => void this.forget(sensor),
+    mute: (sensor, muted) => void this.muteSensor(sensor, muted),
+  });
   private readonly alignment: AlignmentView;
   private readonly people: PeopleView;
   private readonly access: AccessView;
@@ -180,6 +183,11 @@ export class Console {
 
   private async forget(sensor: string): Promise<void> {
     await this.api.forgetSensor(this.state.welcome?.room ?? '', sensor).catch(() => undefined);
+    await this.ask();
+  }
+
+  private async muteSensor(sensor: string, muted: boolean): Promise<void> {
+    await this.api.muteSensor(this.state.welcome?.room ?? '', sensor, muted).catch(() => undefined);
     await this.ask();
   }
 

@@ -41,6 +41,13 @@ describe("the hub's interface", () => {
     await expect(api.rooms()).rejects.toThrow('The hub answered 404.');
   });
 
+  test('mutes the microphone of a sensor', async () => {
+    const { api, asked } = answering(200, {});
+    await api.muteSensor('lab', 'left/right', true);
+    expect(asked[0]!.address).toBe('api/v1/rooms/lab/sensors/left%2Fright');
+    expect(asked[0]!.init).toMatchObject({ method: 'PATCH', body: '{"muted":true}' });
+  });
+
   test('forgets a sensor by its name', async () => {
     const { api, asked } = answering(204, undefined);
     await api.forgetSensor('lab', 'left/right');

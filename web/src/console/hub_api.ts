@@ -60,6 +60,8 @@ export interface HubSensor {
   delay_ms?: number;
   clock_error_ms?: number;
   interference?: HubInterference;
+  has_microphone?: boolean; // it has been heard
+  muted?: boolean; // the microphone
 }
 
 export interface HubViewer {
@@ -170,6 +172,11 @@ export class HubApi {
   /** Only for a sensor that is not online. */
   forgetSensor(room: string, name: string): Promise<void> {
     return this.ask('DELETE', inRoom(room, `/sensors/${encodeURIComponent(name)}`));
+  }
+
+  /** Its microphone, for all. */
+  muteSensor(room: string, name: string, muted: boolean): Promise<HubSensor> {
+    return this.ask('PATCH', inRoom(room, `/sensors/${encodeURIComponent(name)}`), { muted });
   }
 
   async viewers(room: string): Promise<HubViewer[]> {

@@ -14,6 +14,14 @@ import type { HubSensor } from './hub_api';
 import { interferenceText } from './interference';
 import { Thumbnail } from './thumbnail';
 
+/** For admins. */
+export interface SensorEvents {
+  /** Removes a sensor that has left. */
+  forget(sensor: string): void;
+  /** Its microphone, for all; or ends that. */
+  mute(sensor: string, muted: boolean): void;
+}
+
 class SensorCard implements Row<RoomSensor> {
   readonly root = element('article', { class: 'card' });
   private readonly thumbnail: Thumbnail;
@@ -22,6 +30,7 @@ class SensorCard implements Row<RoomSensor> {
   private readonly interference = element('p', { class: 'note interference' });
   private readonly tag = element('span');
   private readonly wayOut: HTMLElement;
+  private readonly mute = element('button', { type: 'button', class: 'plain mute', 'aria-pressed': 'false' }, texts.people.mute);
   private readonly charts = {
     fps: new Chart({ label: texts.charts.fps, unit: 'fps', least: 10, digits: 1 }),
     rate: new Chart({ label: texts.charts.rate, unit: 'MB/s', least: 0.5, digits: 2 }),
@@ -33,8 +42,11 @@ class SensorCard implements Row<RoomSensor> {
 
   constructor(
     public entry: RoomSensor,
-    forget: (sensor: string) => void,
+    { forget, mute }: SensorEvents,
   ) {
+    this.mute.setAttribute('aria-label', `${texts.people.mute}: ${entry.name}`);
+    this.mute.hidden = true;
+    this.mute.addEventListener('click', () => mute(entry.name, this.mute.getAttribute('aria-pressed') !== 'true'));
     const asked = { label: texts.forget, question: texts.reallyForget, of: entry.name };
     this.wayOut = new AskingButton(asked, () => forget(entry.name)).root;
     this.wayOut.hidden = true;
@@ -48,6 +60,7 @@ class SensorCard implements Row<RoomSensor> {
       this.seen,
       this.clock,
       this.interference,
+      this.mute,
       this.wayOut,
     );
   }
@@ -85,6 +98,8 @@ class SensorCard implements Row<RoomSensor> {
     this.interference.classList.toggle('warning', Boolean(disturbed?.advice));
     this.root.classList.toggle('gone', !entry.online);
     this.wayOut.hidden = entry.online || hub === undefined;
+    this.mute.hidden = !hub?.has_microphone && !hub?.muted;
+    this.mute.setAttribute('aria-pressed', String(hub?.muted ?? false));
     this.tag.replaceChildren(...[placementTag(entry.pose)].filter((tag) => tag !== undefined));
   }
 }
@@ -93,10 +108,9 @@ export class SensorCards {
   readonly root = element('div', { class: 'cards' });
   private readonly list: KeyedList<RoomSensor, SensorCard>;
 
-  /** `forget` removes a sensor that has left; for admins. */
-  constructor(forget: (sensor: string) => void) {
+  constructor(events: SensorEvents) {
     const none = element('p', { class: 'empty' }, texts.noSensors);
-    const make = (entry: RoomSensor) => new SensorCard(entry, forget);
+    const make = (entry: RoomSensor) => new SensorCard(entry, events);
     this.list = new KeyedList(this.root, ({ id, name }) => `${id} ${name}`, make, none);
   }
 

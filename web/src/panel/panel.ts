@@ -16,7 +16,7 @@ import { clockError, megabytes, milliseconds, perSecond } from './format';
 import { HeadsetControls, type HeadsetControlEvents } from './headset_controls';
 import { MiniMap } from './mini_map';
 import { NameForm } from './name_form';
-import { PeopleList } from './people_list';
+import { PeopleList, type VolumeSlider } from './people_list';
 import { PlaceList, type PlaceEvents, type RoomPlaces } from './place_list';
 import { problems } from './problems';
 import { QualityMenu } from './quality_menu';
@@ -101,11 +101,9 @@ export class Panel {
     private readonly sound: Sound,
     private readonly events: PanelEvents,
   ) {
-    this.sensors = new SensorList(state, (sensor, visible) => events.sensorSwitched(sensor, visible));
-    this.people = new PeopleList(
-      (viewer) => events.follow(viewer),
-      (viewer, name) => sound.volumeSlider(viewer, name),
-    );
+    const volumeSlider: VolumeSlider = (speaker, name) => sound.volumeSlider(speaker, name);
+    this.sensors = new SensorList(state, (sensor, visible) => events.sensorSwitched(sensor, visible), volumeSlider);
+    this.people = new PeopleList((viewer) => events.follow(viewer), volumeSlider);
     this.name = new NameForm(ownName, (name) => events.named(name));
     this.placeList = new PlaceList(events.places);
     this.map = new MiniMap(state, (x, z) => events.goTo(x, z));

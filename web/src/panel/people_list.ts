@@ -20,7 +20,7 @@ export interface ShownVoices {
 }
 
 /** Undefined while nobody's volume can be set. */
-export type VolumeSlider = (viewer: number, name: string) => HTMLElement | undefined;
+export type VolumeSlider = (speaker: number, name: string) => HTMLElement | undefined;
 
 export function nameOf({ id, name }: Pick<ViewerEntry, 'id' | 'name'>): string {
   return name || texts.person(id);

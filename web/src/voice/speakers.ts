@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The people who are heard: a player for each, at its head, with a volume of its own. Metres, world frame.
+// The people and microphones that are heard: a player for each, at its head, with a volume of its own. Metres, world frame.
 import type { PlainPose } from '../stream/protocol';
 import type { JitterFigures } from './jitter_buffer';
 

@@ -18,7 +18,7 @@ const placing_ms = 50;
 /** What the page knows of heads; metres, world frame. */
 export interface Heads {
   own(): PlainPose;
-  of(viewer: number): PlainPose | undefined;
+  of(speaker: number): PlainPose | undefined;
 }
 
 export interface VoiceParts {
@@ -122,9 +122,9 @@ export class Voice {
     this.tellTalk();
   }
 
-  /** The people in the room have changed. */
-  follow(viewers: readonly { id: number }[]): void {
-    const present = new Set(viewers.map(({ id }) => id));
+  /** The people and sensors in the room have changed: these may be heard. */
+  follow(speakers: readonly number[]): void {
+    const present = new Set(speakers);
     for (const id of this.speakers.ids) {
       if (present.has(id)) continue;
       this.speakers.remove(id);
