@@ -87,8 +87,9 @@ void Room::follow_surface(RoomSensor& sensor) {
   if (placed && placed->rotation == pose.rotation && placed->translation_m == pose.translation_m)
     return;
   sensor.surface_pose = pose;
-  culling_.set_surface(sensor.id, seen_surface(*sensor.coarse_depth,
-                                               sensor.description.calibration().depth(), pose));
+  culling_.set_surface(
+      sensor.id, seen_surface(*sensor.coarse_depth, sensor.description.calibration().depth(), pose,
+                              culling_.surface_of(sensor.id)));
 }
 
 /// Tells viewers and their queues of the frames that are left out from now on.

@@ -75,5 +75,37 @@ TEST(SeenSurface, points_know_who_else_sees_them) {
   EXPECT_TRUE(surface.points[0].others.empty());
 }
 
+/// Whether the two points of a cell move, after messages with these distances.
+std::vector<bool> moves_after(
+    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& near_and_far_cm) {
+  SeenSurface surface;
+  for (const auto& [near_cm, far_cm] : near_and_far_cm)
+    surface = seen_surface(two_cells(near_cm, far_cm), lens(), {}, &surface);
+  std::vector<bool> moves;
+  for (const SurfacePoint& point : surface.points) moves.push_back(point.moves);
+  return moves;
+}
+
+TEST(SeenSurface, what_changes_its_distance_moves_for_a_while) {
+  using Moves = std::vector<bool>;
+  EXPECT_EQ(moves_after({{200, 400}}), Moves({false, false})) << "nothing to compare with";
+  EXPECT_EQ(moves_after({{200, 400}, {210, 405}}), Moves({false, false})) << "noise";
+  EXPECT_EQ(moves_after({{200, 400}, {250, 400}}), Moves({true, false}));
+  EXPECT_EQ(moves_after({{200, 400}, {250, 400}, {250, 400}, {250, 400}}), Moves({true, false}));
+  EXPECT_EQ(moves_after({{200, 400}, {250, 400}, {250, 400}, {250, 400}, {250, 400}}),
+            Moves({false, false}))
+      << "it has come to rest";
+  EXPECT_EQ(moves_after({{0, 0}, {200, 400}}), Moves({true, true})) << "it has come into view";
+}
+
+TEST(SeenSurface, nothing_moves_where_the_cells_are_others) {
+  wire::pb::CoarseDepth upright = two_cells(250, 400);
+  upright.set_columns(1);
+  upright.set_rows(2);
+  const SeenSurface before = seen_surface(two_cells(200, 400), lens(), {});
+  for (const SurfacePoint& point : seen_surface(upright, lens(), {}, &before).points)
+    EXPECT_FALSE(point.moves);
+}
+
 }  // namespace
 }  // namespace roomcast::hub

@@ -16,6 +16,11 @@ void ViewCulling::set_surface(SensorId sensor, SeenSurface surface) {
   for (auto& [id, viewer] : viewers_) touch(viewer, viewer.looked_at);
 }
 
+const SeenSurface* ViewCulling::surface_of(SensorId sensor) const {
+  const auto known = surfaces_.find(sensor);
+  return known == surfaces_.end() ? nullptr : &known->second;
+}
+
 void ViewCulling::forget_sensor(SensorId sensor) {
   if (surfaces_.erase(sensor) == 0) return;
   for (auto& [other, theirs] : surfaces_) link_other(sensor, nullptr, theirs);

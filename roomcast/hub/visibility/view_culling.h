@@ -36,6 +36,8 @@ class ViewCulling {
   explicit ViewCulling(CullingOptions options = {}) : options_(options) {}
 
   void set_surface(SensorId sensor, SeenSurface surface);
+  /// As it was set; null: none is known.
+  [[nodiscard]] const SeenSurface* surface_of(SensorId sensor) const;
   /// All viewers get this sensor whole.
   void forget_sensor(SensorId sensor);
   /// Without `view_half_angle`, the viewer gets everything from now on.

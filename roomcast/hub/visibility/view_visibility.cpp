@@ -25,9 +25,12 @@ struct PreparedView {
   CosineLimits all, base_only;
 };
 
-/// Whether another sensor looks at the point from a direction nearer to the viewer's.
+/// Whether another sensor looks at the point from a direction nearer to the viewer's. Of what
+/// moves, this one's picture may be the newer one, and half its frames would trail behind the
+/// other's.
 bool is_shown_better(const SurfacePoint& point, const Eigen::Vector3f& to_viewer, float facing,
                      float better) {
+  if (point.moves) return false;
   return std::ranges::any_of(point.others, [&](const OtherView& other) {
     return to_viewer.dot(other.to_sensor) > facing + better;
   });
@@ -61,17 +64,19 @@ Detail needed_detail(const SeenSurface& surface, const std::vector<ViewCone>& vi
   prepared.reserve(views.size());
   for (const ViewCone& view : views)
     prepared.push_back({view, limits(view, options.all), limits(view, options.base_only)});
-  const auto enough = [&surface](const VisibilityNeed& need) {
-    return std::max(1.0F, need.enough * static_cast<float>(surface.points.size()));
+  const auto enough = [&surface](float share) {
+    return std::max(1.0F, share * static_cast<float>(surface.points.size()));
   };
-  const float enough_for_all = enough(options.all);
-  float all = 0, base_only = 0;
+  const float enough_for_all = enough(options.all.enough);
+  const float enough_moving = enough(options.enough_moving);
+  float all = 0, moving = 0, base_only = 0;
   for (const SurfacePoint& point : surface.points) {
     const Detail detail = detail_of_point(point, prepared, options.better);
     if (detail == Detail::kAll && ++all >= enough_for_all) return Detail::kAll;
+    if (detail == Detail::kAll && point.moves && ++moving >= enough_moving) return Detail::kAll;
     if (detail != Detail::kPaused) ++base_only;
   }
-  return base_only >= enough(options.base_only) ? Detail::kBaseOnly : Detail::kPaused;
+  return base_only >= enough(options.base_only.enough) ? Detail::kBaseOnly : Detail::kPaused;
 }
 
 }  // namespace roomcast::hub

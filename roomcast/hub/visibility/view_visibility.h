@@ -34,6 +34,9 @@ struct VisibilityNeed {
 struct VisibilityOptions {
   VisibilityNeed all{0.14F, 1.75F, 0.1F};         // 8 and 100 degrees: for Detail::kAll
   VisibilityNeed base_only{0.52F, 2.1F, 0.015F};  // 30 and 120 degrees: for Detail::kBaseOnly
+  /// Share of the sensor's points that move and are seen: enough for Detail::kAll, whoever shows
+  /// them better. People take few cells, and are what viewers look at.
+  float enough_moving = 0.03F;
   /// By so much must the cosine of another sensor's angle be larger, so that the other shows a
   /// point better and this one is needed for it in its base only.
   float better = 0.05F;

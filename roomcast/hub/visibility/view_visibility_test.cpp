@@ -56,6 +56,17 @@ TEST(ViewVisibility, what_another_sensor_shows_better_is_needed_in_its_base) {
   }
   EXPECT_EQ(needed_detail(surface, {from_the_left}, {}), Detail::kBaseOnly);
   EXPECT_EQ(needed_detail(surface, {viewer({0, 1, 2})}, {}), Detail::kAll) << "seen from this side";
+  for (SurfacePoint& point : surface.points) point.moves = true;
+  EXPECT_EQ(needed_detail(surface, {from_the_left}, {}), Detail::kAll) << "it moves";
+}
+
+TEST(ViewVisibility, a_person_in_few_cells_is_enough) {
+  SeenSurface surface = wall();
+  for (int i = 0; i < 100; ++i)  // behind the viewer
+    surface.points.push_back({{0, 1, 9}, {0, 0, -1}});
+  EXPECT_EQ(needed_detail(surface, {viewer({0, 1, 2})}, {}), Detail::kBaseOnly) << "one in twenty";
+  for (std::size_t i = 0; i < 4; ++i) surface.points[i].moves = true;
+  EXPECT_EQ(needed_detail(surface, {viewer({0, 1, 2})}, {}), Detail::kAll);
 }
 
 TEST(ViewVisibility, what_comes_into_view_is_needed) {
