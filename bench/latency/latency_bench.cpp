@@ -19,6 +19,7 @@ struct Case {
 
 constexpr std::array kCases = {
     Case{"room", "three simulated sensors on loopback", measure_room},
+    Case{"glass", "from capture to the window's pixels", measure_glass},
     Case{"internet", "20 Mbit/s, 50 ms, 1 % loss", measure_internet},
     Case{"narrow", "half of the bandwidth that is needed", measure_narrow},
     Case{"voice", "audio while frames fill a line", measure_voice},

@@ -2,6 +2,7 @@
 // `roomcast bench latency`: end-to-end latency, and the effect of a bad network on it.
 //
 //   room      three simulated sensors, real codec, loopback: by stage, capture to decoded
+//   glass     the same sensors: from capture to the pixels of the window
 //   internet  1 MB/s over an emulated 20 Mbit/s, 50 ms, 1 % loss
 //   narrow    2.5 MB/s over an emulated 10 Mbit/s, 50 ms: a viewer with half the needed rate,
 //             next to 20 viewers with enough
@@ -24,7 +25,7 @@
 namespace roomcast::bench {
 
 struct LatencyBenchOptions {
-  std::vector<std::string> cases = {"room", "internet", "narrow", "voice"};
+  std::vector<std::string> cases = {"room", "glass", "internet", "narrow", "voice"};
   std::chrono::milliseconds duration{10'000};
 };
 

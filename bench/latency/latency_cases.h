@@ -12,6 +12,7 @@
 namespace roomcast::bench {
 
 [[nodiscard]] Status measure_room(std::chrono::milliseconds duration, LatencyReport& report);
+[[nodiscard]] Status measure_glass(std::chrono::milliseconds duration, LatencyReport& report);
 [[nodiscard]] Status measure_internet(std::chrono::milliseconds duration, LatencyReport& report);
 [[nodiscard]] Status measure_narrow(std::chrono::milliseconds duration, LatencyReport& report);
 [[nodiscard]] Status measure_voice(std::chrono::milliseconds duration, LatencyReport& report);

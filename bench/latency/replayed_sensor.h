@@ -18,25 +18,34 @@
 
 namespace roomcast::bench {
 
+struct ReplayOptions {
+  int frame_count = 45;
+  double fps = 30;
+  bool draws_clock = false;  // the time of capture, into the pictures (capture_clock.h)
+};
+
 class ReplayedSensor {
  public:
-  static constexpr double kFps = 30;
-
-  /// Simulates `frame_count` frames of `spec`, then joins.
+  /// Simulates frames of `spec`, then joins.
   static Result<std::unique_ptr<ReplayedSensor>> start(const std::string& spec,
-                                                       const std::string& hub_url, int frame_count);
+                                                       const std::string& hub_url,
+                                                       const ReplayOptions& options);
   ~ReplayedSensor();
 
+  [[nodiscard]] const source::SensorDescription& description() const { return description_; }
   /// Time from capture to encoded for each frame so far, milliseconds. Ends the replay.
   [[nodiscard]] std::vector<double> finish();
 
  private:
-  ReplayedSensor(FrameLoop frames, Registration registration,
+  ReplayedSensor(source::SensorDescription description, const ReplayOptions& options,
+                 FrameLoop frames, Registration registration,
                  std::unique_ptr<codec::FrameEncoder> encoder,
                  std::unique_ptr<client::Publisher> publisher);
   void play(const std::stop_token& stop);
   void send(const source::CapturedFrame& frame, HostTime captured);
 
+  const source::SensorDescription description_;
+  const ReplayOptions options_;
   FrameLoop frames_;
   Registration registration_;
   RegisteredColor registered_;

@@ -65,8 +65,8 @@ Status measure_room(std::chrono::milliseconds duration, LatencyReport& report) {
   if (!hub) return hub.error();
   std::vector<std::unique_ptr<ReplayedSensor>> sensors;
   for (int i = 0; i < kSensors; ++i) {
-    auto sensor =
-        ReplayedSensor::start("sim#" + std::to_string(i), (*hub)->url(), kSimulatedFrames);
+    auto sensor = ReplayedSensor::start("sim#" + std::to_string(i), (*hub)->url(),
+                                        {.frame_count = kSimulatedFrames});
     if (!sensor) return sensor.error();
     sensors.push_back(*std::move(sensor));
   }
@@ -88,7 +88,7 @@ Status measure_room(std::chrono::milliseconds duration, LatencyReport& report) {
     encoded_ms.insert(encoded_ms.end(), of_sensor.begin(), of_sensor.end());
   }
   std::vector<double> beyond_ms = decoded_ms;
-  for (double& age : beyond_ms) age -= 1000 / ReplayedSensor::kFps;
+  for (double& age : beyond_ms) age -= 1000 / ReplayOptions().fps;
   report.rows.push_back(distribution("room: encoded", "ms", encoded_ms));
   report.rows.push_back(distribution("room: arrived", "ms", arrivals.ages_ms));
   report.rows.push_back(distribution("room: decoded", "ms", decoded_ms));

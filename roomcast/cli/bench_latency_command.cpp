@@ -27,12 +27,13 @@ void add_latency_bench(CLI::App& bench, Command& chosen) {
   auto seconds = std::make_shared<double>(10);
   auto json = std::make_shared<bool>(false);
   CLI::App* command = bench.add_subcommand("latency",
-                                           "Latency from capture to decoded frame, by stage, also "
-                                           "over emulated bad networks (needs root)");
-  command->add_option("--case", options->cases, "Networks: room, internet, narrow, voice")
+                                           "Latency from capture to decoded frame and to the "
+                                           "window's pixels, also over emulated bad networks "
+                                           "(needs root)");
+  command->add_option("--case", options->cases, "Cases: room, glass, internet, narrow, voice")
       ->delimiter(',')
-      ->check(CLI::IsMember({"room", "internet", "narrow", "voice"}));
-  command->add_option("--seconds", *seconds, "Seconds per network")
+      ->check(CLI::IsMember({"room", "glass", "internet", "narrow", "voice"}));
+  command->add_option("--seconds", *seconds, "Seconds per case")
       ->check(within(1.0, 600.0))
       ->capture_default_str();
   command->add_flag("--json", *json, "Print JSON");
