@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/sound/alsa_microphone.h"
 
-#include <alsa/asoundlib.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
+
+#include <alsa/asoundlib.h>
 
 #include "roomcast/core/interruptible_wait.h"
 
@@ -21,7 +21,6 @@ constexpr std::chrono::seconds kAlsaPatience{3};
 /// Times of blocks are those of a steady clock unless the device's own tell of a gap.
 constexpr std::chrono::milliseconds kGap{60};
 
-/// libasound writes its complaints to the terminal unless told otherwise.
 void say_nothing(const char* /*file*/, int /*line*/, const char* /*function*/, int /*error*/,
                  const char* /*format*/, ...) {}  // NOLINT: libasound's type
 
@@ -30,8 +29,8 @@ Error refusal(const std::string& device, int error) {
     case ENOENT:
     case ENODEV:
     case ENXIO:
-      return {ErrorCode::kNotFound, "there is no microphone \"" + device +
-                                        "\" on this computer; arecord -L lists them"};
+      return {ErrorCode::kNotFound,
+              "there is no microphone \"" + device + "\" on this computer; arecord -L lists them"};
     case EBUSY:
       return unavailable("another program has the microphone \"" + device + "\"");
     case EACCES:
@@ -49,10 +48,15 @@ void AlsaMicrophone::Close::operator()(_snd_pcm* pcm) const {
   snd_pcm_close(pcm);
 }
 
-Result<std::unique_ptr<Microphone>> AlsaMicrophone::open(const std::string& device) {
+void silence_libasound() {
   snd_lib_error_set_handler(&say_nothing);
+}
+
+Result<std::unique_ptr<Microphone>> AlsaMicrophone::open(const std::string& device) {
+  silence_libasound();
   snd_pcm_t* raw = nullptr;
-  if (const int error = snd_pcm_open(&raw, device.c_str(), SND_PCM_STREAM_CAPTURE, SND_PCM_NONBLOCK);
+  if (const int error =
+          snd_pcm_open(&raw, device.c_str(), SND_PCM_STREAM_CAPTURE, SND_PCM_NONBLOCK);
       error < 0)
     return refusal(device, error);
   Pcm pcm(raw);
@@ -118,7 +122,7 @@ Result<std::optional<Microphone::Block>> AlsaMicrophone::next(const std::stop_to
 }
 
 std::vector<AlsaInput> alsa_inputs() {
-  snd_lib_error_set_handler(&say_nothing);
+  silence_libasound();
   std::vector<AlsaInput> inputs;
   for (int card = -1; snd_card_next(&card) == 0 && card >= 0;) {
     snd_ctl_t* control = nullptr;
@@ -133,9 +137,9 @@ std::vector<AlsaInput> alsa_inputs() {
       if (snd_ctl_pcm_info(control, info) < 0) continue;
       char* card_name = nullptr;  // NOLINT: libasound's string
       const bool has_name = snd_card_get_name(card, &card_name) == 0;
-      inputs.push_back({"plughw:" + std::to_string(card) + "," + std::to_string(device),
-                        (has_name ? card_name : name) + std::string(", ") +
-                            snd_pcm_info_get_name(info)});
+      inputs.push_back(
+          {"plughw:" + std::to_string(card) + "," + std::to_string(device),
+           (has_name ? card_name : name) + std::string(", ") + snd_pcm_info_get_name(info)});
       if (has_name) std::free(card_name);  // NOLINT: as libasound's manual asks
     }
     snd_pcm_info_free(info);

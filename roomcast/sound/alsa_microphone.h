@@ -36,6 +36,9 @@ class AlsaMicrophone final : public Microphone {
   HostTime next_{};  // when the sample after the last block was recorded; 0: unknown
 };
 
+/// libasound writes its complaints to the terminal unless told otherwise.
+void silence_libasound();
+
 struct AlsaInput {
   std::string device;       // as in AlsaMicrophone::open
   std::string description;  // of the card

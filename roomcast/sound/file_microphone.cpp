@@ -20,14 +20,14 @@ Result<std::unique_ptr<Microphone>> FileMicrophone::open(const std::filesystem::
                                                          bool loops) {
   auto sound = read_wav(path);
   if (!sound) return sound.error();
-  const std::chrono::duration<double> length(
-      static_cast<double>(sound->samples.size()) / sound->channels / sound->rate_hz);
+  const std::chrono::duration<double> length(static_cast<double>(sound->samples.size()) /
+                                             sound->channels / sound->rate_hz);
   if (length > kMaxLength) {
     return Error{ErrorCode::kTooLarge,
                  path.string() + " is longer than 20 minutes, which is the most that is played"};
   }
-  return std::unique_ptr<Microphone>(std::make_unique<FileMicrophone>(
-      one_channel(*sound), loops, SteadyClock().now()));
+  return std::unique_ptr<Microphone>(
+      std::make_unique<FileMicrophone>(one_channel(*sound), loops, SteadyClock().now()));
 }
 
 Result<std::optional<Microphone::Block>> FileMicrophone::next(const std::stop_token& stop) {

@@ -13,8 +13,10 @@ Result<std::unique_ptr<Microphone>> open_device(const std::string& device) {
 #ifdef ROOMCAST_WITH_ALSA
   return AlsaMicrophone::open(device);
 #else
-  return Error{ErrorCode::kUnsupported, "this program was built without ALSA, so it has no "
-                                        "microphone \"" + device + "\""};
+  return Error{ErrorCode::kUnsupported,
+               "this program was built without ALSA, so it has no "
+               "microphone \"" +
+                   device + "\""};
 #endif
 }
 
@@ -29,6 +31,12 @@ Result<std::unique_ptr<Microphone>> open_microphone(const std::string& source, b
     return FileMicrophone::open(source.substr(kWav.size()), loops);
   if (source.ends_with(".wav")) return FileMicrophone::open(source, loops);
   return invalid_argument("\"" + source + "\" is no microphone: give " + kMicrophoneSources);
+}
+
+void keep_alsa_quiet() {
+#ifdef ROOMCAST_WITH_ALSA
+  silence_libasound();
+#endif
 }
 
 std::vector<KnownMicrophone> known_microphones() {

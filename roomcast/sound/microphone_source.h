@@ -18,6 +18,9 @@ inline constexpr const char* kMicrophoneSources =
 [[nodiscard]] Result<std::unique_ptr<Microphone>> open_microphone(const std::string& source,
                                                                   bool loops);
 
+/// From now on libasound, also where another library uses it, writes no complaints to the terminal.
+void keep_alsa_quiet();
+
 struct KnownMicrophone {
   std::string source;       // for open_microphone
   std::string description;  // of its sound card

@@ -26,7 +26,9 @@ TEST(MicrophoneSource, a_file_takes_the_place_of_a_microphone) {
 TEST(MicrophoneSource, what_is_no_microphone_is_refused_with_a_sentence) {
   const TemporaryFolder folder;
   std::ofstream(folder / "text.wav") << "no sound";
-  const auto fault = [](const std::string& source) { return open_microphone(source, true).error(); };
+  const auto fault = [](const std::string& source) {
+    return open_microphone(source, true).error();
+  };
   EXPECT_EQ(fault("nonsense").code, ErrorCode::kInvalidArgument);
   EXPECT_EQ(fault("alsa:").code, ErrorCode::kInvalidArgument);
   EXPECT_EQ(fault("wav:" + (folder / "none.wav").string()).code, ErrorCode::kNotFound);

@@ -31,8 +31,8 @@ float value_at(const std::vector<float>& samples, double place, double cutoff) {
   double sum = 0;
   for (std::int64_t i = first; i <= last; ++i) {
     const double away = static_cast<double>(i) - place;
-    sum += samples[static_cast<std::size_t>(i)] * cutoff * sinc(cutoff * away) *
-           window(away / reach);
+    sum +=
+        samples[static_cast<std::size_t>(i)] * cutoff * sinc(cutoff * away) * window(away / reach);
   }
   return static_cast<float>(sum);
 }

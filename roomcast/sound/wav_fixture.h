@@ -20,7 +20,8 @@ struct WavKind {
   std::uint32_t rate_hz = 48'000;
 };
 
-inline std::vector<std::uint8_t> wav_bytes(const WavKind& kind, std::span<const std::uint8_t> data) {
+inline std::vector<std::uint8_t> wav_bytes(const WavKind& kind,
+                                           std::span<const std::uint8_t> data) {
   std::vector<std::uint8_t> bytes(44);
   const std::string riff = "RIFF", wave = "WAVEfmt ", text = "data";
   std::copy(riff.begin(), riff.end(), bytes.begin());

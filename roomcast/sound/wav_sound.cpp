@@ -77,9 +77,8 @@ float sample_at(const std::uint8_t* at, const WavFormat& format) {
 }
 
 WavSound sound_of(const WavFormat& format, Bytes data) {
-  WavSound sound{.rate_hz = static_cast<int>(format.rate_hz),
-                 .channels = format.channels,
-                 .samples = {}};
+  WavSound sound{
+      .rate_hz = static_cast<int>(format.rate_hz), .channels = format.channels, .samples = {}};
   const std::size_t width = format.bits / 8U;
   const std::size_t instants = data.size() / (width * format.channels);
   sound.samples.resize(instants * format.channels);
