@@ -31,6 +31,7 @@ DesktopViewer::DesktopViewer(client::Subscriber& hub, DesktopViewerOptions optio
       hub_report_(hub),
       last_step_(now()) {
   if (!options_.panel) panel_.toggle();
+  if (options_.voice) voice_ = std::make_unique<DesktopVoice>(hub, options_.settings.voice);
   notify_error(display_.apply(state_.settings(), state_.room()));
 }
 
@@ -40,6 +41,7 @@ bool DesktopViewer::step() {
   advance(begin);
   follow_room(begin);
   poll_headset(begin);
+  follow_voice();
   draw(begin);
   if (capture_.is_recording()) continue_video();
   display_.window().wait_for_screen(!display_.headset_runs());
@@ -97,6 +99,9 @@ void DesktopViewer::run(ViewerCommand command) {
       return save_screenshot();
     case ViewerCommand::kVideo:
       return start_or_stop_video();
+    case ViewerCommand::kMicrophone:
+      state_.settings().voice.microphone_on = !state_.settings().voice.microphone_on;
+      return;
     case ViewerCommand::kRecenter:
       return display_.recenter_headset();
     case ViewerCommand::kRelease:
@@ -130,6 +135,13 @@ void DesktopViewer::follow_room(HostTime at) {
   if (!state_.follow(hub_.snapshot(), at)) return;
   hub_report_.follow(state_.room());
   notify_error(display_.show_room(state_.room()));
+}
+
+void DesktopViewer::follow_voice() {
+  if (!voice_) return;
+  state_.settings().voice.is_pushed = input_.is_talking();
+  voice_->apply(state_.settings().voice);
+  voice_->stand(own_pose().world_from_head);
 }
 
 void DesktopViewer::poll_headset(HostTime at) {
@@ -190,6 +202,7 @@ std::optional<Eigen::Vector3d> DesktopViewer::pointed_at() const {
 void DesktopViewer::draw_window() {
   PanelFacts facts = state_.facts(now());
   facts.video = capture_.video_name();
+  if (voice_) facts.voice = voice_->facts();
   if (const auto command = display_.draw_window(std::move(facts), panel_, state_.settings())) {
     run(*command);
   }

@@ -18,6 +18,7 @@
 #include "roomcast/viewer/desktop_display.h"
 #include "roomcast/viewer/desktop_state.h"
 #include "roomcast/viewer/hub_report.h"
+#include "roomcast/viewer/voice/desktop_voice.h"
 #include "roomcast/viewer/window/desktop_input.h"
 
 namespace roomcast::viewer {
@@ -30,6 +31,7 @@ struct DesktopViewerOptions {
   std::filesystem::path pictures = ".";  // folder for screenshots and videos
   io::PictureWriter write_png;           // required
   bool headset = false;                  // also draw for a headset if there is one
+  bool voice = false;                    // listen and speak; `hub` has joined with `hears`
   LogSink log;                           // news of the headset; may be empty
 };
 
@@ -64,6 +66,7 @@ class DesktopViewer {
   void follow_room(HostTime now);
   void poll_headset(HostTime now);
   void tell_of_headset(const Toast& news);
+  void follow_voice();
   // Display.
   void draw(HostTime now);
   bool draw_room(HostTime now);
@@ -91,6 +94,7 @@ class DesktopViewer {
   DesktopState state_;
   CaptureWriter capture_;
   HubReport hub_report_;
+  std::unique_ptr<DesktopVoice> voice_;  // null: neither listens nor speaks
   HostTime last_step_{}, last_present_{};
   bool wants_to_quit_ = false;
 };

@@ -39,6 +39,11 @@ std::optional<RigidTransform> world_from_speaker(const RoomSnapshot& room, Viewe
   return person->pose->world_from_head;
 }
 
+bool speaker_is_here(const RoomSnapshot& room, ViewerId speaker) {
+  return sensor_that_is_heard(room, speaker) != nullptr ||
+         person_who_is_heard(room, speaker) != nullptr;
+}
+
 std::string speaker_name(const RoomSnapshot& room, ViewerId speaker) {
   if (const RoomSensor* sensor = sensor_that_is_heard(room, speaker)) return sensor->name;
   const RoomPerson* person = person_who_is_heard(room, speaker);

@@ -19,6 +19,9 @@ namespace roomcast::client {
 [[nodiscard]] std::optional<RigidTransform> world_from_speaker(const RoomSnapshot& room,
                                                                ViewerId speaker);
 
+/// Whether it is in the room.
+[[nodiscard]] bool speaker_is_here(const RoomSnapshot& room, ViewerId speaker);
+
 /// Empty: nobody of this ID is known, or the person gave no name.
 [[nodiscard]] std::string speaker_name(const RoomSnapshot& room, ViewerId speaker);
 

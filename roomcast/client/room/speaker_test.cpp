@@ -25,6 +25,7 @@ TEST(Speaker, a_sensor_is_heard_from_where_it_stands) {
   const ViewerId speaker = wire::speaker_of(SensorId{3});
   EXPECT_EQ(sensor_of_speaker(speaker), SensorId{3});
   EXPECT_FALSE(sensor_of_speaker(ViewerId{3}));
+  EXPECT_TRUE(speaker_is_here(room, speaker));
   EXPECT_EQ(speaker_name(room, speaker), "left");
   const auto place = world_from_speaker(room, speaker);
   ASSERT_TRUE(place);
@@ -45,6 +46,7 @@ TEST(Speaker, a_person_is_heard_from_the_head) {
 TEST(Speaker, nobody_is_known_under_another_id) {
   const RoomSnapshot room = room_of_two();
   for (const ViewerId other : {ViewerId{4}, wire::speaker_of(SensorId{4}), ViewerId{0xFFFF'FFFF}}) {
+    EXPECT_FALSE(speaker_is_here(room, other));
     EXPECT_EQ(speaker_name(room, other), "");
     EXPECT_FALSE(world_from_speaker(room, other));
   }

@@ -8,6 +8,8 @@
 
 #include <imgui.h>
 
+#include "roomcast/viewer/panel/voice_panel.h"
+
 namespace roomcast::viewer {
 namespace {
 
@@ -160,6 +162,10 @@ void draw_sensors(const PanelFacts& facts, ViewSettings& settings) {
     draw_sensor(facts.room.sensors[i], facts.figures.sensors[i], settings);
 }
 
+void draw_voice(const PanelFacts& facts, VoiceSettings& settings) {
+  if (facts.voice && section("Voice")) draw_voice_controls(*facts.voice, facts.room, settings);
+}
+
 void draw_people(const PanelFacts& facts) {
   if (!section("People")) return;
   for (const client::RoomPerson& person : facts.room.people) {
@@ -173,6 +179,10 @@ void draw_people(const PanelFacts& facts) {
     ImGui::SameLine();
     ImGui::Text("%s%s", person.name.empty() ? number.c_str() : person.name.c_str(),
                 person.id == facts.room.self ? " (you)" : "");
+    if (person.speaking || person.muted) {
+      ImGui::SameLine();
+      ImGui::TextColored(person.muted ? kYellow : kGreen, person.muted ? "muted" : "speaks");
+    }
   }
 }
 
@@ -324,6 +334,7 @@ std::optional<ViewerCommand> Panel::draw_sections(const PanelFacts& facts, ViewS
   draw_latency(facts);
   draw_sensors(facts, settings);
   draw_people(facts);
+  draw_voice(facts, settings.voice);
   draw_settings(facts, settings);
   draw_headset(facts, settings.comfort);
   ImGui::PopItemWidth();

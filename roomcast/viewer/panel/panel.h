@@ -34,6 +34,7 @@ struct PanelFacts {
   bool may_see_through = false;  // the headset can show what is around the wearer
   std::string headset = {};      // name and timing; empty: none
   std::string no_headset = {};  // why there is none, a sentence; empty: there is, or none is wanted
+  std::optional<VoiceFacts> voice = {};  // of a viewer that hears
 };
 
 class Panel {

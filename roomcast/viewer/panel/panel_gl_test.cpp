@@ -7,6 +7,7 @@
 
 #include "roomcast/viewer/panel/panel.h"
 #include "roomcast/viewer/panel/panel_layer.h"
+#include "roomcast/viewer/panel/voice_panel.h"
 
 namespace roomcast::viewer {
 namespace {
@@ -45,6 +46,7 @@ class PanelTest : public testing::Test {
       layer->begin();
       PanelFacts facts{room, report.figures(), std::nullopt, toasts};
       facts.no_headset = no_headset;
+      facts.voice = voice;
       pressed = panel.draw(facts, settings);
       layer->end();
     }
@@ -80,6 +82,7 @@ class PanelTest : public testing::Test {
   RoomReport report;
   std::vector<Toast> toasts;
   std::string no_headset;
+  std::optional<VoiceFacts> voice;
   ViewSettings settings;
   Panel panel;
   std::optional<ViewerCommand> pressed;
@@ -112,6 +115,26 @@ TEST_F(PanelTest, disables_recording_where_viewers_may_not_record) {
   room.rights.may_record = true;
   const ColorImage with = draw();
   EXPECT_GT(bright_pixels(with, kButtons), bright_pixels(without, kButtons));
+}
+
+TEST_F(PanelTest, has_a_part_for_voice_with_a_volume_for_everybody_who_was_heard) {
+  const int without = changed_pixels(draw(), 0, 420);
+  voice.emplace();
+  const int silent = changed_pixels(draw(), 0, 420);
+  EXPECT_GT(silent, without);
+  auto& person = room.people.emplace_back();
+  person.id = ViewerId{4};
+  voice->heard = {ViewerId{4}, ViewerId{5}};  // who has left has none
+  settings.voice.microphone_on = true;
+  voice->microphone_problem = "an admin has muted you: nobody hears you";
+  EXPECT_GT(changed_pixels(draw(), 0, 420), silent);
+  EXPECT_TRUE(settings.voice.microphone_on) << "nobody has pressed anything";
+}
+
+TEST(VoicePanel, the_meter_shows_decibels) {
+  EXPECT_EQ(meter_of(1), 1);
+  EXPECT_NEAR(meter_of(0.0316), 0.5, 0.01);
+  EXPECT_EQ(meter_of(0), 0);
 }
 
 TEST_F(PanelTest, a_toast_stands_at_the_lower_right_even_when_the_panel_is_closed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// User settings of the viewer: how the room is drawn, and comfort in a headset.
+// User settings of the viewer: how the room is drawn, comfort in a headset, and voice.
 #pragma once
 
 #include <numbers>
@@ -8,6 +8,7 @@
 #include "roomcast/core/ids.h"
 #include "roomcast/render/blend/blend_renderer.h"
 #include "roomcast/render/render_mode.h"
+#include "roomcast/viewer/voice/voice_settings.h"
 
 namespace roomcast::viewer {
 
@@ -31,6 +32,7 @@ struct ViewSettings {
   double vertical_fov_rad = std::numbers::pi / 3;
   std::set<SensorId> hidden;
   ComfortOptions comfort;
+  VoiceSettings voice;
 };
 
 }  // namespace roomcast::viewer

@@ -69,6 +69,8 @@ std::optional<ViewerCommand> command_of(const SDL_Keysym& key) {
       return ViewerCommand::kScreenshot;
     case SDLK_v:
       return ViewerCommand::kVideo;
+    case SDLK_t:
+      return ViewerCommand::kMicrophone;
     case SDLK_c:
       return ViewerCommand::kRecenter;
     case SDLK_ESCAPE:
@@ -120,7 +122,7 @@ std::optional<ViewerCommand> DesktopInput::take(const SDL_Event& event,
       break;
     case SDL_WINDOWEVENT:
       if (event.window.event != SDL_WINDOWEVENT_FOCUS_LOST) break;
-      key_points_ = false;
+      key_points_ = key_talks_ = false;
       navigation.release_all();
       break;
     case SDL_CONTROLLERDEVICEADDED:
@@ -153,6 +155,10 @@ std::optional<ViewerCommand> DesktopInput::take_key(const SDL_Event& event,
     const bool quits = down && key.sym == SDLK_q && (key.mod & KMOD_CTRL) != 0;
     if (quits) return ViewerCommand::kQuit;
     if (!down || !with_control) navigation.hold(*way, down);
+    return std::nullopt;
+  }
+  if (key.sym == SDLK_SPACE) {
+    key_talks_ = down;
     return std::nullopt;
   }
   if (key.sym == SDLK_l) {

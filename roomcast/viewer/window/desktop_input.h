@@ -42,6 +42,8 @@ class DesktopInput {
   [[nodiscard]] bool mouse_looks() const { return mouse_looks_; }
   /// True while the laser pointer's key or button is held.
   [[nodiscard]] bool is_pointing() const { return key_points_ || pad_points_; }
+  /// True while the key for push to talk is held.
+  [[nodiscard]] bool is_talking() const { return key_talks_; }
   [[nodiscard]] const MousePlace& mouse() const { return mouse_; }
 
  private:
@@ -60,7 +62,7 @@ class DesktopInput {
   double trigger_up_ = 0, trigger_down_ = 0;
   MousePlace mouse_;
   bool mouse_looks_ = false;
-  bool key_points_ = false, pad_points_ = false;
+  bool key_points_ = false, pad_points_ = false, key_talks_ = false;
 };
 
 }  // namespace roomcast::viewer

@@ -87,13 +87,24 @@ TEST_F(DesktopInputTest, arrows_turn_and_look_up_and_down_as_on_the_page) {
 TEST_F(DesktopInputTest, a_window_that_loses_the_keyboard_stands_still) {
   EXPECT_FALSE(take(key_event(SDL_SCANCODE_W, SDLK_w, true)));
   EXPECT_FALSE(take(key_event(SDL_SCANCODE_L, SDLK_l, true)));
+  EXPECT_FALSE(take(key_event(SDL_SCANCODE_SPACE, SDLK_SPACE, true)));
   EXPECT_TRUE(input.is_pointing());
+  EXPECT_TRUE(input.is_talking());
   SDL_Event lost{};
   lost.type = SDL_WINDOWEVENT;
   lost.window.event = SDL_WINDOWEVENT_FOCUS_LOST;
   EXPECT_FALSE(take(lost));
   EXPECT_FALSE(navigation.is_walking());
   EXPECT_FALSE(input.is_pointing());
+  EXPECT_FALSE(input.is_talking());
+}
+
+TEST_F(DesktopInputTest, the_space_bar_talks_while_it_is_held) {
+  EXPECT_FALSE(take(key_event(SDL_SCANCODE_SPACE, SDLK_SPACE, true)));
+  EXPECT_TRUE(input.is_talking());
+  EXPECT_FALSE(take(key_event(SDL_SCANCODE_SPACE, SDLK_SPACE, false)));
+  EXPECT_FALSE(input.is_talking());
+  EXPECT_EQ(take(key_event(SDL_SCANCODE_T, SDLK_t, true)), ViewerCommand::kMicrophone);
 }
 
 TEST_F(DesktopInputTest, keys_give_the_commands_in_the_help) {
