@@ -75,6 +75,18 @@ void add_view_command(CLI::App& app, Command& chosen) {
   command->add_flag("--full-screen", options->full_screen, "Full screen")->excludes(png);
   command->add_flag("!--no-panel", options->panel, "Start with a closed panel (Tab opens it)")
       ->excludes(png);
+  command
+      ->add_option("--microphone", options->microphone,
+                   "What others hear once it is on: default, none, a device's name, or FILE.wav")
+      ->capture_default_str()
+      ->excludes(png);
+  command
+      ->add_option("--speaker", options->loudspeaker,
+                   "Where you hear the others: default, none, a device's name, or a new FILE.wav")
+      ->capture_default_str()
+      ->excludes(png);
+  command->add_flag("--speak", options->speaks, "Start with the microphone on (T turns it on)")
+      ->excludes(png);
   command->add_option("--pictures", options->pictures, "Folder for screenshots and videos")
       ->capture_default_str();
   command
@@ -90,6 +102,7 @@ void add_view_command(CLI::App& app, Command& chosen) {
       "draws nothing, reports that and exits with 1.\n"
       "Examples:\n"
       "  roomcast view --hub ws://127.0.0.1:7600\n"
+      "  roomcast view --hub ws://127.0.0.1:7600 --speak --microphone \"USB Audio\"\n"
       "  roomcast view --hub ws://127.0.0.1:7600 --png room.png --at 3,1.6,2 --look 0,1,0");
   command->callback(
       [options, &chosen] { chosen = [options] { return finish("view", run_view(*options)); }; });

@@ -28,6 +28,8 @@ struct ViewOptions {
   bool full_screen = false;
   bool panel = true;
   bool vr = false;
+  std::string microphone = "default", loudspeaker = "default";
+  bool speaks = false;  // from the start
   std::string pictures = ".";
   std::string last_picture;
 

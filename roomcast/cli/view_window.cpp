@@ -2,12 +2,14 @@
 // roomcast view: shows the room in a window.
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <string_view>
 
 #include "roomcast/cli/print.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/view_options.h"
 #include "roomcast/io/image_file.h"
+#include "roomcast/sound/wav_sound.h"
 #include "roomcast/viewer/desktop_viewer.h"
 
 namespace roomcast::cli {
@@ -29,6 +31,10 @@ viewer::DesktopViewerOptions desktop_options(const ViewOptions& options,
   desktop.pictures = options.pictures;
   desktop.write_png = io::write_color_png;
   desktop.headset = options.vr;
+  desktop.voice = true;
+  desktop.settings.voice.microphone = options.microphone;
+  desktop.settings.voice.microphone_on = options.speaks;
+  desktop.settings.voice.loudspeaker = options.loudspeaker;
   desktop.log = [](LogLevel, std::string_view line) { print_err("roomcast view: {}\n", line); };
   return desktop;
 }
@@ -40,6 +46,18 @@ Status check_size(const ViewOptions& options) {
   return camera.check();
 }
 
+/// Devices may come later, files do not.
+Status check_sound_files(const ViewOptions& options) {
+  std::error_code ignored;
+  if (options.microphone.ends_with(".wav")) {
+    if (auto sound = sound::read_wav(options.microphone); !sound) return sound.error();
+  }
+  if (options.loudspeaker.ends_with(".wav") &&
+      std::filesystem::exists(options.loudspeaker, ignored))
+    return unavailable("there is " + options.loudspeaker + " already; choose another file");
+  return {};
+}
+
 /// Checks that the room's owner permits screenshots, if one was requested.
 Status may_keep_last_picture(const ViewOptions& options, const client::Subscriber& hub) {
   return options.last_picture.empty() ? Status() : client::check_may_record(hub.snapshot()->rights);
@@ -49,11 +67,13 @@ Status may_keep_last_picture(const ViewOptions& options, const client::Subscribe
 
 Status view_in_window(const ViewOptions& options) {
   if (auto status = check_size(options); !status) return status;
+  if (auto status = check_sound_files(options); !status) return status;
   constexpr int kUnlessTheUserSaysSo = 0;
   ::setenv("XR_LOADER_DEBUG", "none", kUnlessTheUserSaysSo);  // our own message is enough
   StopOnSignal stop;
   client::SubscriberOptions subscriber = options.subscriber;
   subscriber.stop = stop.token();
+  subscriber.hears = true;
   auto hub = client::Subscriber::open(std::move(subscriber));
   if (!hub) return hub.error();
   if (auto may = may_keep_last_picture(options, **hub); !may) return may;

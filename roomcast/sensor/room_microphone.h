@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoomMicrophone: the sound at a sensor, to its hub: 20 ms at a time, as Opus, ahead of the sensor's
-// frames. Sends while somebody is there to hear it and the room permits it. A device that goes away
-// is looked for until it is back. Threading: runs on a thread of its own; the methods are
+// RoomMicrophone: the sound at a sensor, to its hub: 20 ms at a time, as Opus, ahead of the
+// sensor's frames. Sends while somebody is there to hear it and the room permits it. A device that
+// goes away is looked for until it is back. Threading: runs on a thread of its own; the methods are
 // thread-safe.
 #pragma once
 

@@ -19,8 +19,8 @@ let folder;
 let rig;
 let tone;
 
-/** One channel of 16 bits. */
-function writeTone(path) {
+/** One channel of 16 bits, as loud at each sample as `loudness` says. */
+function writeTone(path, loudness = () => 12_000) {
   const samples = rate_hz; // a second, a whole number of periods
   const wav = Buffer.alloc(44 + 2 * samples);
   wav.write('RIFF', 0);
@@ -35,18 +35,18 @@ function writeTone(path) {
   wav.writeUInt16LE(16, 34);
   wav.write('data', 36);
   wav.writeUInt32LE(2 * samples, 40);
-  for (let i = 0; i < samples; ++i) wav.writeInt16LE(Math.round(12_000 * Math.sin((2 * Math.PI * tone_hz * i) / rate_hz)), 44 + 2 * i);
+  for (let i = 0; i < samples; ++i) wav.writeInt16LE(Math.round(loudness(i) * Math.sin((2 * Math.PI * tone_hz * i) / rate_hz)), 44 + 2 * i);
   writeFileSync(path, wav);
 }
 
-/** Of a sine of this frequency in a WAV file that roomcast wrote, in the middle second. */
-function amplitude(path, frequency_hz) {
+/** Of a sine of this frequency in a WAV file that roomcast wrote, in the middle second of one channel. */
+function amplitude(path, frequency_hz, channel = 0, channels = 1) {
   const bytes = readFileSync(path);
-  const count = (bytes.length - 44) / 2;
+  const count = (bytes.length - 44) / 2 / channels;
   const from = Math.max(0, Math.floor(count / 2) - rate_hz / 2);
   let [sine, cosine] = [0, 0];
   for (let i = 0; i < rate_hz; ++i) {
-    const value = bytes.readInt16LE(44 + 2 * (from + i));
+    const value = bytes.readInt16LE(44 + 2 * ((from + i) * channels + channel));
     sine += value * Math.sin((2 * Math.PI * frequency_hz * i) / rate_hz);
     cosine += value * Math.cos((2 * Math.PI * frequency_hz * i) / rate_hz);
   }
@@ -79,6 +79,37 @@ test('the_sound_is_recorded_with_the_room_and_exported_under_the_sensors_name', 
   assert.ok(loudness > 9_000 && loudness < 14_000, `the tone of 12000 has an amplitude of ${loudness}`);
   assert.ok(amplitude(join(folder, 'sound', 's0.wav'), 1000) < 300);
   assert.match(readFileSync(join(folder, 'sound', 'voices.csv'), 'utf8'), /s0\.wav.*s0/);
+});
+
+test('who_views_the_room_at_a_desktop_hears_it', async (t) => {
+  const hub = await startHub(t);
+  await startSensor(t, hub).prints(/joined as "s0"/);
+  const heard = join(folder, 'heard.wav');
+  const window = ['--size', '64,48', '--mode', 'points', '--seconds', '4', '--at', '0,1.6,2'];
+  const viewed = await run('view', '--hub', hub.url, ...window, '--microphone', 'none', '--speaker', heard, {
+    through: ['env', 'SDL_VIDEODRIVER=offscreen', 'SDL_AUDIODRIVER=dummy'],
+  });
+  assert.equal(viewed.code, 0, viewed.stderr);
+  const loudness = Math.max(amplitude(heard, tone_hz, 0, 2), amplitude(heard, tone_hz, 1, 2));
+  assert.ok(loudness > 1_000, `the tone has an amplitude of ${loudness}`);
+});
+
+test('what_somebody_says_at_a_desktop_is_heard_and_recorded', async (t) => {
+  const hub = await startHub(t);
+  const sound = join(folder, 'words.wav');
+  writeTone(sound, (i) => (i % 24_000 < 12_000 ? 12_000 : 0)); // like syllables: noise that goes on is removed
+  const viewer = new Program(
+    ['view', '--hub', hub.url, '--name', 'Ada', '--size', '64,48', '--speak', '--microphone', sound, '--speaker', 'none'],
+    { through: ['env', 'SDL_VIDEODRIVER=offscreen', 'SDL_AUDIODRIVER=dummy'] },
+  );
+  t.after(() => viewer.stop('SIGKILL'));
+  const file = join(folder, 'said.mcap');
+  const recorded = await run('record', file, '--hub', hub.url, '--seconds', '5');
+  assert.equal(recorded.code, 0, recorded.stderr);
+  assert.equal(await viewer.stop(), 0, viewer.stderr);
+  const exported = await run('export', file, '--format', 'wav', '--out', join(folder, 'said'), '--per-person');
+  assert.equal(exported.code, 0, exported.stderr);
+  assert.ok(amplitude(join(folder, 'said', 'Ada.wav'), tone_hz) > 1_500);
 });
 
 test('the_status_says_how_loud_it_is_and_that_it_is_sent', async (t) => {

@@ -3,7 +3,7 @@
 // it cannot.
 import { deepEqual, equal, match } from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { readdirSync } from 'node:fs';
+import { readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
@@ -77,7 +77,19 @@ test('window_opens_and_its_last_picture_is_kept', async (t) => {
   );
   t.after(() => viewer.stop('SIGKILL'));
   equal(await viewer.ended, 0, viewer.stderr);
+  equal(viewer.stderr, '', 'also where there is no sound card');
   deepEqual(readdirSync(folder), ['window.png']);
+});
+
+test('sound_files_that_cannot_be_used_are_refused_before_a_window_opens', async (t) => {
+  const hub = await startHub(t);
+  const folder = scratchFolder(t);
+  const file = join(folder, 'text.wav');
+  writeFileSync(file, 'no sound');
+  const view = (...options) => run('view', '--hub', hub.url, ...options, { through: ['env', 'SDL_VIDEODRIVER=offscreen'] });
+  assertFailed(await view('--microphone', file), 1, /text\.wav is no WAV file/);
+  assertFailed(await view('--microphone', join(folder, 'none.wav')), 1, /none\.wav/);
+  assertFailed(await view('--speaker', file), 1, /there is .*text\.wav already/);
 });
 
 test('window_closes_on_sigterm', async (t) => {

@@ -10,7 +10,7 @@ const askEvery_ms = 200;
 const far_s = 2; // from the others: then it seeks
 const rest_ms = 10_000; // between two such seeks, for a page that is too slow
 const near_s = 0.3; // a seek that nobody would notice
-const firstId = 0x8000_0000; // beyond the people of the recording
+const firstId = 0xc000_0000; // beyond the people and microphones of the recording
 const colors = [0xe69f00, 0x56b4e9, 0x009e73, 0xf0e442, 0xcc79a7, 0xd55e00];
 
 export interface Playing {
