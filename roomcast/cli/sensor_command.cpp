@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -21,6 +23,7 @@
 #include "roomcast/cli/stderr_log.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/token_option.h"
+#include "roomcast/sensor/remote_settings.h"
 #include "roomcast/sensor/sensor_feed.h"
 #include "roomcast/sensor/source_factory.h"
 #include "roomcast/sound/microphone_source.h"
@@ -40,6 +43,7 @@ struct SensorCommandOptions {
   bool json = false;
   bool keep_interference = false;
   bool keep_holes = false;
+  bool no_remote_settings = false;
   bool verbose = false;
 };
 
@@ -108,13 +112,35 @@ std::string status_text(const std::string& name, const sensor::SensorFeedStats& 
   return text + microphone_text(now.microphone) + interference_text(now.interference);
 }
 
-Status wait_for_end(const sensor::SensorFeed& feed, const std::string& name, bool json,
-                    const std::stop_token& stop) {
+/// How a sensor's time in the room ended: with `next` an admin wants it to go on so.
+struct SensorEnd {
+  Status status;
+  std::optional<sensor::RemoteSettings> next = {};
+};
+
+/// The settings to go on with, if an admin has asked for other ones and this sensor has them.
+std::optional<sensor::RemoteSettings> answer_request(sensor::SettingsMailbox& requests,
+                                                     const sensor::RemoteSettings& now,
+                                                     sensor::SensorFeed& feed) {
+  constexpr std::chrono::milliseconds kForTheAnswer(300);  // to be on its way before we leave
+  const auto request = requests.take();
+  if (!request) return std::nullopt;
+  const auto next = sensor::changed(now, request->settings());
+  feed.answer(request->number(), next ? "" : next.error().message);
+  if (!next) return std::nullopt;
+  std::this_thread::sleep_for(kForTheAnswer);
+  return *next;
+}
+
+SensorEnd wait_for_end(sensor::SensorFeed& feed, const std::string& name, bool json,
+                       sensor::SettingsMailbox& requests, const sensor::RemoteSettings& settings,
+                       const std::stop_token& stop) {
   constexpr int kLooksPerSecond = 10;
   StatusLine line;
   sensor::SensorFeedStats before;
   for (int look = 1; !stop.stop_requested(); ++look) {
-    if (auto result = feed.result()) return *result;
+    if (auto result = feed.result()) return {*result};
+    if (auto next = answer_request(requests, settings, feed)) return {{}, next};
     std::this_thread::sleep_for(std::chrono::milliseconds(1000 / kLooksPerSecond));
     if (look % kLooksPerSecond != 0) continue;
     const sensor::SensorFeedStats now = feed.stats();
@@ -131,16 +157,65 @@ Status wait_for_end(const sensor::SensorFeed& feed, const std::string& name, boo
   return {};
 }
 
+/// The sensor in its room, with these settings.
+Result<std::unique_ptr<sensor::SensorFeed>> join_room(SensorCommandOptions& options,
+                                                      const sensor::RemoteSettings& settings) {
+  options.source_options.sim_fps = settings.fps.value_or(options.source_options.sim_fps);
+  options.feed.codec = settings.codec;
+  if (!options.no_remote_settings) options.feed.settings = sensor::message_from(settings);
+  auto source = sensor::open_source(options.source, options.source_options);
+  if (!source) return source.error();
+  if (options.feed.name.empty()) options.feed.name = (*source)->description().name;
+  return sensor::SensorFeed::start(std::move(*source), options.feed);
+}
+
+sensor::RemoteSettings settings_of(const SensorCommandOptions& options) {
+  sensor::RemoteSettings settings{.codec = options.feed.codec};
+  if (options.source.starts_with("sim")) settings.fps = options.source_options.sim_fps;
+  return settings;
+}
+
+void say(const SensorCommandOptions& options, const std::string& line) {
+  if (options.json) return;
+  print_out("roomcast sensor: {}\n", line);
+  std::fflush(stdout);  // for who reads a pipe or a service's journal
+}
+
+/// Stays in the room until the end, and goes on with other settings when an admin asks for them;
+/// with the earlier ones where the others turn out not to work.
+Status stay_in_room(SensorCommandOptions& options, sensor::SettingsMailbox& requests,
+                    const std::stop_token& stop) {
+  sensor::RemoteSettings settings = settings_of(options);
+  std::optional<sensor::RemoteSettings> earlier;
+  for (;;) {
+    auto feed = join_room(options, settings);
+    if (!feed && stop.stop_requested()) return {};
+    if (!feed && !earlier) return feed.error();
+    if (!feed) {
+      options.feed.log(LogLevel::kWarning,
+                       "this sensor goes on as before: " + feed.error().message);
+      settings = *std::exchange(earlier, std::nullopt);
+      continue;
+    }
+    say(options, fmt::format("joined as \"{}\"", options.feed.name));
+    const SensorEnd end =
+        wait_for_end(**feed, options.feed.name, options.json, requests, settings, stop);
+    say(options,
+        fmt::format("{} frames sent as \"{}\"", (*feed)->stats().frames_sent, options.feed.name));
+    if (!end.next) return end.status;
+    say(options, "an admin of the room wants other settings or a new start");
+    earlier = std::exchange(settings, *end.next);
+    options.feed.wait_for_hub = true;  // it was there a moment ago
+    if (!requests.token().empty())
+      options.feed.credential = {.token = requests.token(), .code = {}};
+  }
+}
+
 Status run_sensor(SensorCommandOptions options) {
   StopOnSignal stop;
   options.source_options.loop = !options.once;
   options.source_options.stop = stop.token();
   options.source_options.log = stderr_log("sensor", options.verbose);
-  auto source = sensor::open_source(options.source, options.source_options);
-  if (!source && stop.token().stop_requested()) return {};
-  if (!source) return source.error();
-  const std::string name =
-      options.feed.name.empty() ? (*source)->description().name : options.feed.name;
   auto credential = find_credential(options.token);
   if (!credential) return credential.error();
   options.feed.credential = *std::move(credential);
@@ -154,18 +229,12 @@ Status run_sensor(SensorCommandOptions options) {
   if (!options.frame_log.empty()) options.feed.frame_log = options.frame_log;
   options.feed.send_unwatched = options.always || options.once;
   options.feed.stop = stop.token();
-  auto feed = sensor::SensorFeed::start(std::move(*source), options.feed);
-  if (!feed && stop.token().stop_requested()) return {};
-  if (!feed) return feed.error();
-  if (!options.json) {
-    print_out("roomcast sensor: joined as \"{}\"\n", name);
-    std::fflush(stdout);  // for who reads a pipe or a service's journal
-  }
-  const Status status = wait_for_end(**feed, name, options.json, stop.token());
-  if (!options.json) {
-    print_out("roomcast sensor: {} frames sent as \"{}\"\n", (*feed)->stats().frames_sent, name);
-  }
-  return status;
+  sensor::SettingsMailbox requests;
+  options.feed.on_settings_request = [&requests](const wire::pb::SettingsRequest& request) {
+    requests.put(request);
+  };
+  options.feed.on_token = [&requests](const std::string& token) { requests.keep_token(token); };
+  return stay_in_room(options, requests, stop.token());
 }
 
 }  // namespace
@@ -208,6 +277,8 @@ void add_sensor_command(CLI::App& app, Command& chosen) {
   command->add_flag("--keep-holes", options->keep_holes,
                     "With --codec live: do not fill the holes of large planes, such as glossy "
                     "floors");
+  command->add_flag("--no-remote-settings", options->no_remote_settings,
+                    "Let no admin of the room change codec and rate, or restart this sensor");
   command->add_flag("--json", options->json,
                     "Print a line of JSON each second instead of a status");
   command->add_flag("--once", options->once,

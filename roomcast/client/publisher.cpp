@@ -209,6 +209,7 @@ class Publisher::Link final : public HubLinkEvents {
 };
 
 void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
+  if (!welcome.token().empty() && options_.on_token) options_.on_token(welcome.token());
   unsent_.clear();
   voice_.joined();
   // The join has just sent the configured pose again, or the hub has restored a stored one; both
@@ -236,6 +237,8 @@ void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
 }
 
 void Publisher::Link::on_control(const wire::pb::Control& message) {
+  if (message.has_settings_request() && options_.settings && options_.on_settings_request)
+    options_.on_settings_request(message.settings_request());
   {
     std::lock_guard lock(mutex_);
     if (message.has_key_request()) shared_.want_key = true;

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -40,6 +41,11 @@ struct PublisherOptions {
   std::optional<net::Pace> pace = {};  // of what is sent; nothing: as the network allows
   bool estimate_uplink = false;  // and send at the pace that the line carries; not with `pace`
   bool wait_for_hub = false;     // keep trying if there is no hub at first; else open() fails
+  /// How this sensor sends, and what an admin's request for other settings goes to, on the
+  /// network's thread; nothing: it takes no requests.
+  std::optional<wire::pb::SensorSettings> settings = {};
+  std::function<void(const wire::pb::SettingsRequest&)> on_settings_request = {};
+  std::function<void(const std::string& token)> on_token = {};  // that a code was exchanged for
   LogSink log;
   std::stop_token stop = {};  // ends the wait of open() for the hub
 };
@@ -99,8 +105,8 @@ class Publisher {
   /// reconnection.
   void send_bundle(wire::pb::CalibrationBundle bundle);
 
-  /// Sends what the sensor has to say at the moment: its health, sightings, instants. Lost without
-  /// a connection.
+  /// Sends what the sensor has to say at the moment: its health, sightings, instants, answers. Lost
+  /// without a connection. Thread-safe.
   void send(wire::pb::Control message);
 
   /// Whether the room lets the sensor's microphone be heard; false without a connection, too.

@@ -43,6 +43,9 @@ client::PublisherOptions publisher_options(const source::SensorDescription& sens
   options.wait_for_hub = feed.wait_for_hub;
   options.log = feed.log;
   options.stop = feed.stop;
+  options.settings = feed.settings;
+  options.on_settings_request = feed.on_settings_request;
+  options.on_token = feed.on_token;
   return options;
 }
 
@@ -87,6 +90,13 @@ class SensorFeed::Worker {
     }
     std::lock_guard lock(mutex_);
     result_ = std::move(status);
+  }
+
+  void answer(std::uint32_t number, const std::string& refusal) {
+    wire::pb::Control message;
+    message.mutable_settings_answer()->set_number(number);
+    message.mutable_settings_answer()->set_refusal(refusal);
+    sender_->publisher().send(std::move(message));
   }
 
   SensorFeedStats stats() const {
@@ -314,6 +324,9 @@ Result<std::unique_ptr<SensorFeed>> SensorFeed::start(std::unique_ptr<source::Fr
 
 SensorFeedStats SensorFeed::stats() const {
   return worker_->stats();
+}
+void SensorFeed::answer(std::uint32_t number, const std::string& refusal) {
+  worker_->answer(number, refusal);
 }
 std::optional<Status> SensorFeed::result() const {
   return worker_->result();

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -22,6 +23,7 @@
 #include "roomcast/sensor/sender/codec_choice.h"
 #include "roomcast/sound/microphone.h"
 #include "roomcast/source/frame_source.h"
+#include "roomcast/wire/control.pb.h"
 
 namespace roomcast::sensor {
 
@@ -41,6 +43,10 @@ struct SensorFeedOptions {
   std::filesystem::path preview;          // path of a picture, written once a second; empty: none
   LogSink log;
   std::stop_token stop = {};  // ends the wait of start() for the hub
+  /// As in client::PublisherOptions.
+  std::optional<wire::pb::SensorSettings> settings = {};
+  std::function<void(const wire::pb::SettingsRequest&)> on_settings_request = {};
+  std::function<void(const std::string& token)> on_token = {};
 };
 
 struct SensorFeedStats {
@@ -65,6 +71,8 @@ class SensorFeed {
   ~SensorFeed();
 
   [[nodiscard]] SensorFeedStats stats() const;
+  /// Answers a request for other settings; an empty refusal agrees.
+  void answer(std::uint32_t number, const std::string& refusal);
   /// The outcome, once the source or the connection has ended; nothing while the feed runs.
   [[nodiscard]] std::optional<Status> result() const;
 

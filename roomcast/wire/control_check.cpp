@@ -9,6 +9,7 @@
 #include "roomcast/wire/limits.h"
 #include "roomcast/wire/mark_check.h"
 #include "roomcast/wire/name_check.h"
+#include "roomcast/wire/settings_check.h"
 #include "roomcast/wire/visibility_check.h"
 
 namespace roomcast::wire {
@@ -85,6 +86,7 @@ Status check_calibration(const pb::Calibration& calibration) {
 Status check_sensor_role(const pb::SensorRole& sensor) {
   if (auto s = check_fps(sensor.fps()); !s) return s;
   if (auto s = check_calibration(sensor.calibration()); !s) return s;
+  if (auto s = check_settings(sensor.settings()); !s) return s;
   if (sensor.world_from_depth().empty()) return {};
   return check_rigid(sensor.world_from_depth(), "world_from_depth");
 }
@@ -368,6 +370,10 @@ Status check_control(const pb::Control& control) {
       return check_marks(control.marks());
     case pb::Control::kRemoveMarks:
       return check_remove_marks(control.remove_marks());
+    case pb::Control::kSettingsRequest:
+      return check_settings(control.settings_request().settings());
+    case pb::Control::kSettingsAnswer:
+      return check_settings_answer(control.settings_answer());
     case pb::Control::kMark:  // the room refuses wrong ones with a sentence, and keeps the viewer
     case pb::Control::kGuide:
     case pb::Control::kSetEnd:

@@ -122,6 +122,14 @@ void add_visibility_messages(std::vector<GoldenMessage>& messages) {
       golden_control("control_set_end", R"({"setEnd":{"setId":"18446744073709551615"}})"));
 }
 
+void add_settings_messages(std::vector<GoldenMessage>& messages) {
+  messages.push_back(golden_control(
+      "control_settings_request",
+      R"({"settingsRequest":{"number":7,"settings":{"codec":"live","mbit":2.5,"fitsLine":false},"restart":true}})"));
+  messages.push_back(golden_control("control_settings_answer",
+                                    R"({"settingsAnswer":{"number":7,"refusal":"not now"}})"));
+}
+
 std::vector<GoldenMessage> golden_messages() {
   FrameHeader key{.key = true,
                   .sensor = SensorId{3},
@@ -192,6 +200,7 @@ std::vector<GoldenMessage> golden_messages() {
   messages.push_back(golden_refusal("refused_truncated_control", bad, "protobuf"));
   add_voice_messages(messages);
   add_visibility_messages(messages);
+  add_settings_messages(messages);
   return messages;
 }
 

@@ -47,6 +47,7 @@ inline constexpr unsigned kMaxHubsAway = 4;
 inline constexpr int kMaxRevokedTokens = 256;                      // per message
 inline constexpr float kMaxNoiseRatio = 1000;                      // of a sensor's health
 inline constexpr double kMinDepthScale = 0.5, kMaxDepthScale = 2;  // factors on readings
+inline constexpr double kMaxTargetMbit = 1000;                     // that a sensor is asked for
 inline constexpr int kMaxSightings = 64;                           // of each kind, per message
 inline constexpr unsigned kMaxImageSide = 8192;
 inline constexpr unsigned kMinDepthSide = 16;
