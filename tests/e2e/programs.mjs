@@ -109,7 +109,7 @@ export async function startDemo(...sources) {
 }
 
 /** Sensor number `n` of a simulated room, or of the recording `rig`; `log` is a file for one JSON line per frame sent. */
-export function startSensor(hub, n, { fps = 5, log, rig, token, room, audio } = {}) {
+export function startSensor(hub, n, { fps = 5, log, rig, token, room, audio, more = [] } = {}) {
   const args = [
     'sensor',
     '--source',
@@ -124,5 +124,6 @@ export function startSensor(hub, n, { fps = 5, log, rig, token, room, audio } = 
   if (token) args.push('--token', token);
   if (room) args.push('--room', room);
   if (audio) args.push('--audio', audio);
+  args.push(...more);
   return new Program(`sensor ${n}`, log ? [...args, '--log-frames', log] : args);
 }

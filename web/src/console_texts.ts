@@ -9,6 +9,7 @@ export const consoleTexts = {
     alignment: 'Alignment',
     people: 'People',
     recordings: 'Recordings',
+    events: 'Events',
     access: 'Access',
     room: 'Room',
   },

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "roomcast/geometry/sensor_pose.h"
+#include "roomcast/hub/admin/sensor_settings_json.h"
 
 namespace roomcast::hub {
 
@@ -138,6 +139,7 @@ Json sensor_json(const SensorStats& sensor, const std::string& address) {
                             {"shared", disturbed.shared},
                             {"advice", disturbed.advice}};
   }
+  if (sensor.settings) json["settings"] = to_json(*sensor.settings);
   if (sensor.clock_error_s) json["clock_error_ms"] = *sensor.clock_error_s * 1000;
   if (!address.empty()) json["address"] = address;
   if (!sensor.token_id.empty()) json["token_id"] = sensor.token_id;

@@ -40,6 +40,16 @@ std::optional<Json> object_in(const std::string& body) {
   return json;
 }
 
+/// Their names, with commas.
+std::string fields_that_differ(const RoomSettings& before, const RoomSettings& after) {
+  const Json was = to_json(before), is = to_json(after);
+  std::string names;
+  for (const auto& [field, value] : is.items()) {
+    if (was.at(field) != value) names += (names.empty() ? "" : ", ") + field;
+  }
+  return names;
+}
+
 net::HttpResponse no_object() {
   return error_answer(400, "bad_request", "the body must be a JSON object");
 }
@@ -131,6 +141,8 @@ void AdminApi::carry_out_in_room(const Call& call) {
       return change_viewer(call);
     case AdminCall::kEndViewer:
       return end_viewer(call);
+    case AdminCall::kListEvents:
+      return list_events(call);
     default:
       return carry_out_on_recordings(call);
   }
@@ -228,6 +240,8 @@ void AdminApi::keep_room(const Call& call, const RoomSettings& settings, bool is
         const bool is_there = registry_.find(settings.name) != nullptr;
         if (!is_there && !is_new) return call.respond(no_such_room_response());
         if (is_there) {
+          const std::string fields = fields_that_differ(*registry_.find(settings.name), settings);
+          if (!fields.empty()) note(call, "changed_room", settings.name, fields);
           registry_.change(settings);
         } else {
           registry_.open(settings, {});
@@ -270,6 +284,7 @@ void AdminApi::end_sensor(const Call& call) {
   const RoomStats stats = *registry_.stats(call.parameter(0));
   const auto found = std::ranges::find(stats.sensors, call.parameter(1), &SensorStats::name);
   if (found == stats.sensors.end() || !found->online) return forget_sensor(call);
+  note(call, "ended", found->name);
   registry_.disconnect_client(found->connection, "the room's owner ended this connection");
   call.respond(no_content());
 }
@@ -281,7 +296,8 @@ void AdminApi::forget_sensor(const Call& call) {
   registry_.forget_sensor(room, sensor);
   store_worker_.ask(
       [room, sensor](HubStore& store) { return store.sensors().forget(room, sensor); },
-      [call](const Status& forgotten) {
+      [this, call, sensor](const Status& forgotten) {
+        if (forgotten) note(call, "forgot_sensor", sensor);
         call.respond(forgotten ? no_content() : error_answer(forgotten.error()));
       });
 }

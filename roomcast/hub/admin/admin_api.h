@@ -55,12 +55,17 @@ class AdminApi {
   void keep_room(const Call& call, const RoomSettings& settings, bool is_new);
   void list_sensors(const Call& call) const;
   void change_sensor(const Call& call);
+  void mute_sensor(const Call& call);
   void end_sensor(const Call& call);
   void forget_sensor(const Call& call);
   void list_viewers(const Call& call) const;
   void change_viewer(const Call& call);
   void end_viewer(const Call& call);
   [[nodiscard]] std::optional<ViewerStats> viewer_of(const Call& call) const;
+  void list_events(const Call& call) const;
+  /// Notes what the caller did in the room.
+  void note(const Call& call, const char* kind, const std::string& name = "",
+            const std::string& sentence = "") const;
   void carry_out_on_recordings(const Call& call);
   void recording(const Call& call) const;
   void start_recording(const Call& call);

@@ -106,6 +106,7 @@ void AdminApi::start_recording(const Call& call) {
   if (!recordings_->start(room, call.claims->grant.name)) {
     return call.respond(error_answer(409, "conflict", "this room is being recorded already"));
   }
+  note(call, "recording_started");
   call.respond(json_answer(201, recording_json(recordings_->now(room))));
 }
 
@@ -114,6 +115,7 @@ void AdminApi::stop_recording(const Call& call) {
   if (!recordings_->stop(room)) {
     return call.respond(error_answer(409, "conflict", "this room is not being recorded"));
   }
+  note(call, "recording_stopped");
   call.respond(json_answer(200, recording_json(recordings_->now(room))));
 }
 

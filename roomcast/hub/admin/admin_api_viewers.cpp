@@ -59,12 +59,13 @@ void AdminApi::change_viewer(const Call& call) {
   const auto viewer = viewer_of(call);
   if (!viewer) return;
   registry_.mute(call.parameter(0), viewer->id, *muted);
+  note(call, *muted ? "muted" : "unmuted", viewer->name);
   if (const auto changed = viewer_of(call))
     call.respond(
         json_answer(200, viewer_json(*changed, registry_.address_of(changed->connection))));
 }
 
-void AdminApi::change_sensor(const Call& call) {
+void AdminApi::mute_sensor(const Call& call) {
   const auto muted = muted_in(call.body);
   if (!muted) return call.respond(not_a_mute());
   const std::string& room = call.parameter(0);
@@ -76,6 +77,7 @@ void AdminApi::change_sensor(const Call& call) {
   if (!sensor)
     return call.respond(error_answer(404, "not_found", "no such sensor is in this room"));
   registry_.mute(room, wire::speaker_of(sensor->id), *muted);
+  note(call, *muted ? "muted" : "unmuted", sensor->name);
   if (const auto changed = find(*registry_.stats(room)))
     call.respond(
         json_answer(200, sensor_json(*changed, registry_.address_of(changed->connection))));
@@ -84,6 +86,7 @@ void AdminApi::change_sensor(const Call& call) {
 void AdminApi::end_viewer(const Call& call) {
   const auto viewer = viewer_of(call);
   if (!viewer) return;
+  note(call, "ended", viewer->name);
   registry_.disconnect_client(viewer->connection, "the room's owner ended this connection");
   call.respond(no_content());
 }

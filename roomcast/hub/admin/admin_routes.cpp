@@ -23,6 +23,8 @@ constexpr std::array kRoutes = {
     AdminRoute{"GET", "/rooms/{room}/viewers", AdminCall::kListViewers},
     AdminRoute{"PATCH", "/rooms/{room}/viewers/{viewer}", AdminCall::kChangeViewer},
     AdminRoute{"DELETE", "/rooms/{room}/viewers/{viewer}", AdminCall::kEndViewer},
+    AdminRoute{"GET", "/rooms/{room}/events", AdminCall::kListEvents},
+    AdminRoute{"GET", "/rooms/{room}/events/after/{event}", AdminCall::kListEvents},
     AdminRoute{"GET", "/rooms/{room}/recording", AdminCall::kRecording},
     AdminRoute{"POST", "/rooms/{room}/recording", AdminCall::kStartRecording},
     AdminRoute{"DELETE", "/rooms/{room}/recording", AdminCall::kStopRecording},

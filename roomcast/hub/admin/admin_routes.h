@@ -26,6 +26,7 @@ enum class AdminCall {
   kListViewers,
   kChangeViewer,
   kEndViewer,
+  kListEvents,
   kRecording,
   kStartRecording,
   kStopRecording,

@@ -321,6 +321,8 @@ RoomStats Room::stats() const {
     entry.has_microphone = sensor.has_spoken;
     entry.speaks = voices_.is_speaking(wire::speaker_of(sensor.id));
     entry.muted = voices_.is_muted(wire::speaker_of(sensor.id));
+    if (entry.online && sensor.description.has_settings())
+      entry.settings = sensor.description.settings();
   }
   for (const auto& [connection, viewer] : viewers_) {
     stats.viewers.push_back({.id = viewer.id,

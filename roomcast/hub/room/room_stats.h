@@ -10,6 +10,7 @@
 #include "roomcast/core/clock.h"
 #include "roomcast/geometry/sensor_pose.h"
 #include "roomcast/hub/room/frame_set.h"
+#include "roomcast/wire/control.pb.h"
 
 namespace roomcast::hub {
 
@@ -30,6 +31,7 @@ struct SensorStats {
   std::string token_id = {};     // of the token that it joined with
   SensorPose pose = {};
   std::optional<SensorInterference> interference = {};
+  std::optional<wire::pb::SensorSettings> settings = {};  // while online; nothing: it takes none
   std::uint64_t frames = 0;
   std::uint64_t bytes = 0;
   std::optional<std::uint32_t> newest_seq = {};  // nothing: no gap before the next frame

@@ -52,7 +52,8 @@ void RoomRegistry::open(const RoomSettings& settings, KnownRoom known) {
       .backplane = backplane_,
       .clock = clock_,
       .warn = [this](const std::string& line) { log(LogLevel::kWarning, line); },
-      .on_removed = [this](const Disconnect& end) { on_removed(end); }};
+      .on_removed = [this](const Disconnect& end) { on_removed(end); },
+      .on_placed = [this](const std::string& name, const auto& s) { note_places(name, s); }};
   rooms_[settings.name] =
       std::make_shared<RoomRunner>(RoomId{next_room_id_++}, std::move(room), std::move(context));
   embed_sites_.set(settings.name, settings.embed_from);
@@ -71,6 +72,8 @@ void RoomRegistry::close(const std::string& name) {
   std::erase_if(dropped_sets_,
                 [id = found->second->id()](const auto& entry) { return entry.first.first == id; });
   embed_sites_.set(name, {});
+  events_.erase(name);
+  placed_.erase(name);
   rooms_.erase(found);
 }
 
@@ -159,6 +162,12 @@ void RoomRegistry::refuse(const ConnectionInfo& connection_info, const pb::Join&
        {"peer", connection_info.address},
        {"token", token_id},
        {"error", pb::ErrorCode_Name(why.code)}});
+  note(join.room().empty() ? only_listed_room() : join.room(), {.kind = "refused",
+                                                                .role = std::string(role_of(join)),
+                                                                .name = join.name(),
+                                                                .peer = connection_info.address,
+                                                                .token_id = token_id,
+                                                                .sentence = why.sentence});
   count_fault(connection_info.peer, why);
   connection_info.connection->disconnect(why.code, why.sentence);
 }
@@ -202,6 +211,7 @@ void RoomRegistry::admit(const ConnectionInfo& connection_info, const pb::Join& 
   client.expires_at = entry.expires_at;
   client.relays = join.viewer().relays();
   log_client(described(connection_info, join) + " joins \"" + entry.room + "\"", client, "join");
+  note_client(client, "joined", "");
   room.join(connection_info.connection, join, entry);
   if (join.viewer().relays()) send_revoked_to_new_hub(connection_info.id());
   if (join.has_sensor() && options_.on_in_use && in_use_.insert(room.id()).second) {
@@ -225,6 +235,8 @@ RoomRunner* RoomRegistry::room_of(ConnectionId from) const {
 }
 
 void RoomRegistry::on_control(ConnectionId from, const pb::Control& message) {
+  if (message.has_settings_answer()) return requests_.answer(from, message.settings_answer());
+  note_message(from, message);
   if (RoomRunner* room = room_of(from)) room->control(from, message);
 }
 
@@ -255,8 +267,10 @@ void RoomRegistry::on_left(ConnectionId from, const net::CloseReason& reason) {
   const auto client = clients_.find(from);
   if (client == clients_.end()) return;  // the hub has disconnected it
   log_client(client->second.address + " has left: " + reason.sentence, client->second, "leave");
+  note_client(client->second, "left", reason.sentence);
   RoomRunner* room = client->second.room;
   clients_.erase(client);
+  requests_.sensor_left(from);
   if (room != nullptr) room->leave(from);
 }
 
@@ -280,7 +294,9 @@ void RoomRegistry::on_removed(const Disconnect& end) {
   if (client == clients_.end()) return;
   log_client(client->second.address + " is disconnected: " + end.sentence, client->second,
              "send_away", pb::ErrorCode_Name(end.code));
+  note_client(client->second, "sent_away", end.sentence);
   clients_.erase(client);
+  requests_.sensor_left(end.connection);
 }
 
 bool RoomRegistry::disconnect_client(ConnectionId client, const std::string& sentence) {

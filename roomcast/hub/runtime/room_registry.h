@@ -24,7 +24,9 @@
 #include "roomcast/hub/room/room_stats.h"
 #include "roomcast/hub/runtime/backplane.h"
 #include "roomcast/hub/runtime/embed_sites.h"
+#include "roomcast/hub/runtime/room_events.h"
 #include "roomcast/hub/runtime/room_runner.h"
+#include "roomcast/hub/runtime/sensor_requests.h"
 #include "roomcast/hub/runtime/session.h"
 #include "roomcast/hub/runtime/shard.h"
 #include "roomcast/hub/runtime/traffic_meter.h"
@@ -70,6 +72,14 @@ class RoomRegistry final : public BackplaneEvents {
   [[nodiscard]] std::size_t banned_count() const { return bans_.banned_count(clock_.now()); }
   /// "192.0.2.7:50312"; empty: the client has disconnected.
   [[nodiscard]] std::string address_of(ConnectionId client) const;
+
+  /// Notes what happened in a room, for those who run it. No effect: there is no such room.
+  void note(const std::string& room, RoomEvent event);
+  [[nodiscard]] RoomEvents::Page events(const std::string& room, std::uint64_t after) const;
+  /// Asks a sensor of an open room for other settings, and passes on its answer. Also kNotFound: it
+  /// is not online here; kInvalidArgument: it takes no settings.
+  void ask_sensor(const std::string& room, const std::string& sensor,
+                  wire::pb::SettingsRequest request, SensorRequests::Answered answered);
 
   /// Makes a room forget a sensor that is offline. The caller removes it from the store.
   void forget_sensor(const std::string& room, const std::string& sensor);
@@ -141,6 +151,10 @@ class RoomRegistry final : public BackplaneEvents {
   [[nodiscard]] std::string only_listed_room() const;
   [[nodiscard]] RoomStats stats_of(const RoomRunner& room) const;
 
+  void note_client(const Client& client, const char* kind, const std::string& sentence);
+  void note_message(ConnectionId from, const wire::pb::Control& message);
+  void note_places(const std::string& room, const std::vector<KnownSensor>& sensors);
+
   void send_revoked_to_new_hub(ConnectionId hub);
   void send_revoked_to_downstream(const std::vector<Claims>& revoked);
   void send_revoked_to_hub(ConnectionId hub, const std::vector<Claims>& revoked);
@@ -169,6 +183,10 @@ class RoomRegistry final : public BackplaneEvents {
   std::set<RoomId> in_use_;                           // rooms that have had a sensor
   BanList bans_;
   EmbedSites embed_sites_;
+  std::map<std::string, RoomEvents> events_;  // by the room's name
+  std::map<std::string, std::set<std::string>>
+      placed_;  // sensors, as last noted, by the room's name
+  SensorRequests requests_;
   std::uint64_t refused_joins_ = 0;
   net::Timer timer_;
   std::unordered_map<ConnectionId, Sent> sent_;

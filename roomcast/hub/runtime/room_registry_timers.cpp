@@ -20,6 +20,7 @@ void RoomRegistry::start() {
 
 void RoomRegistry::run_periodic_tasks() {
   measure_sensors();
+  requests_.give_up_before(clock_.now());
   for (std::size_t i = 0; i < shards_.size(); ++i) {
     shards_[i]->report_traffic([this, i](const ShardTraffic& t) { record_traffic(i, t); });
   }

@@ -155,6 +155,7 @@ void RoomRunner::apply(const Disconnect& action) {
 }
 
 void RoomRunner::apply(const SaveSensors& action) {
+  if (context_.on_placed) context_.on_placed(name(), action.sensors);
   context_.store_worker.ask([room = name(), sensors = action.sensors](
                                 HubStore& store) { return store.sensors().save(room, sensors); },
                             [warn = context_.warn](const Status& status) {

@@ -33,6 +33,8 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
     const Clock& clock;
     std::function<void(const std::string&)> warn;
     std::function<void(const Disconnect&)> on_removed;  // the room has removed this connection
+    /// Sensors were placed, or lost their place.
+    std::function<void(const std::string& room, const std::vector<KnownSensor>&)> on_placed = {};
   };
 
   RoomRunner(RoomId id, Room room, Context context);

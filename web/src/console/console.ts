@@ -12,6 +12,7 @@ import type { ViewState } from '../view/view_state';
 import { consoleTexts as texts } from '../console_texts';
 import { AccessView } from './access_view';
 import { AlignmentView } from './alignment_view';
+import { EventsView } from './events_view';
 import type { HubApi, HubSensor, HubViewer } from './hub_api';
 import { PairWatch } from './pair_watch';
 import { PeopleView } from './people_view';
@@ -26,6 +27,7 @@ import './chart.css';
 import './console.css';
 import './room_map.css';
 import './room_tab.css';
+import './events.css';
 
 const sample_ms = 1000;
 const askEvery = 2; // samples
@@ -42,6 +44,7 @@ export class Console {
   private readonly cards = new SensorCards({
     forget: (sensor) => void this.forget(sensor),
     mute: (sensor, muted) => void this.muteSensor(sensor, muted),
+    change: (sensor, wanted) => this.api.changeSensor(this.state.welcome?.room ?? '', sensor, wanted),
   });
   private readonly alignment: AlignmentView;
   private readonly people: PeopleView;
@@ -49,6 +52,7 @@ export class Console {
   private readonly recording: RecordingView;
   private readonly recordings: RecordingsView;
   private readonly settings: RoomView;
+  private readonly happened: EventsView;
   private readonly tabs: Tabs;
   private readonly pairs = new PairWatch();
   private readonly close = element('button', { type: 'button', class: 'close', 'aria-label': texts.close }, '×');
@@ -73,6 +77,7 @@ export class Console {
     this.access = new AccessView(api, room, hubAddress);
     this.recordings = new RecordingsView(new RecordingsApi(api, room));
     this.recording = new RecordingView(api, room, () => void this.recordings.refresh());
+    this.happened = new EventsView(api, room);
     this.settings = new RoomView(api, room, () => events.here());
     this.tabs = new Tabs(this.tabList(), (id) => this.tabChosen(id));
     this.close.addEventListener('click', () => this.setOpen(false));
@@ -122,6 +127,7 @@ export class Console {
       { id: 'alignment', label: texts.tabs.alignment, content: this.alignment.root },
       { id: 'people', label: texts.tabs.people, content: this.people.root },
       { id: 'recordings', label: texts.tabs.recordings, content: this.recordings.root },
+      { id: 'events', label: texts.tabs.events, content: this.happened.root },
       { id: 'access', label: texts.tabs.access, content: this.access.root },
       { id: 'room', label: texts.tabs.room, content: this.settings.root },
     ];
@@ -129,13 +135,14 @@ export class Console {
 
   private setAdmin(isAdmin: boolean): void {
     this.isAdmin = isAdmin;
-    for (const id of ['recordings', 'access', 'room']) this.tabs.setOffered(id, isAdmin);
+    for (const id of ['recordings', 'events', 'access', 'room']) this.tabs.setOffered(id, isAdmin);
     this.recording.root.hidden = !isAdmin;
   }
 
   private tabChosen(id: string): void {
     if (!this.isAdmin || !this.open) return;
     if (id === 'recordings') void this.recordings.refresh();
+    if (id === 'events') void this.happened.refresh();
     if (id === 'access') void this.access.refresh();
     if (id === 'room') void this.settings.refresh();
   }
@@ -148,6 +155,7 @@ export class Console {
     if (this.isAdmin && this.samples++ % askEvery === 0) {
       void this.ask();
       void this.recording.refresh();
+      if (this.tabs.current === 'events') void this.happened.refresh();
     }
     if (this.samples % listEvery === 0 && this.tabs.current === 'recordings') this.tabChosen('recordings');
     this.pairs.step(entries);

@@ -2,6 +2,9 @@
 // Client of the hub's HTTP interface, docs/spec/admin.openapi.yaml. The token is sent in a header, never in an address.
 // A refusal is a HubRefusal with the hub's own sentence.
 
+import type { HubEvent } from './events';
+import type { SensorSettings } from './sensor_settings';
+
 export type Who = 'anyone' | 'token' | 'admin' | 'nobody';
 export type Role = 'sensor' | 'viewer' | 'hub' | 'admin';
 
@@ -62,6 +65,7 @@ export interface HubSensor {
   interference?: HubInterference;
   has_microphone?: boolean; // it has been heard
   muted?: boolean; // the microphone
+  settings?: SensorSettings; // absent: it takes none from afar
 }
 
 export interface HubViewer {
@@ -167,6 +171,16 @@ export class HubApi {
 
   async sensors(room: string): Promise<HubSensor[]> {
     return (await this.ask<{ sensors: HubSensor[] }>('GET', inRoom(room, '/sensors'))).sensors;
+  }
+
+  /** The sensor's answer: it does as asked, or a HubRefusal in its words. */
+  changeSensor(room: string, name: string, wanted: SensorSettings & { restart?: boolean }): Promise<void> {
+    return this.ask('PATCH', inRoom(room, `/sensors/${encodeURIComponent(name)}`), wanted);
+  }
+
+  /** A page of those with a higher number than `after`. */
+  events(room: string, after: number): Promise<{ events: HubEvent[]; newest: number }> {
+    return this.ask('GET', inRoom(room, `/events/after/${after}`));
   }
 
   /** Only for a sensor that is not online. */

@@ -11,6 +11,7 @@ import { consoleTexts as texts } from '../console_texts';
 import { sensorColor } from '../view/sensor_color';
 import { Chart } from './chart';
 import type { HubSensor } from './hub_api';
+import { SensorSettingsForm, type AskSensor } from './sensor_settings';
 import { interferenceText } from './interference';
 import { Thumbnail } from './thumbnail';
 
@@ -20,6 +21,8 @@ export interface SensorEvents {
   forget(sensor: string): void;
   /** Its microphone, for all; or ends that. */
   mute(sensor: string, muted: boolean): void;
+  /** Its settings. */
+  change(sensor: string, wanted: Parameters<AskSensor>[0]): Promise<void>;
 }
 
 class SensorCard implements Row<RoomSensor> {
@@ -29,6 +32,7 @@ class SensorCard implements Row<RoomSensor> {
   private readonly clock = element('p', { class: 'note' });
   private readonly interference = element('p', { class: 'note interference' });
   private readonly tag = element('span');
+  private readonly settings: SensorSettingsForm;
   private readonly wayOut: HTMLElement;
   private readonly mute = element('button', { type: 'button', class: 'plain mute', 'aria-pressed': 'false' }, texts.people.mute);
   private readonly charts = {
@@ -42,13 +46,14 @@ class SensorCard implements Row<RoomSensor> {
 
   constructor(
     public entry: RoomSensor,
-    { forget, mute }: SensorEvents,
+    events: SensorEvents,
   ) {
     this.mute.setAttribute('aria-label', `${texts.people.mute}: ${entry.name}`);
     this.mute.hidden = true;
-    this.mute.addEventListener('click', () => mute(entry.name, this.mute.getAttribute('aria-pressed') !== 'true'));
+    this.mute.addEventListener('click', () => events.mute(entry.name, this.mute.getAttribute('aria-pressed') !== 'true'));
     const asked = { label: texts.forget, question: texts.reallyForget, of: entry.name };
-    this.wayOut = new AskingButton(asked, () => forget(entry.name)).root;
+    this.wayOut = new AskingButton(asked, () => events.forget(entry.name)).root;
+    this.settings = new SensorSettingsForm(entry.name, (wanted) => events.change(entry.name, wanted));
     this.wayOut.hidden = true;
     this.thumbnail = new Thumbnail(entry.name, (large) => this.seen.classList.toggle('large', large));
     const swatch = element('span', { class: 'swatch', 'aria-hidden': 'true' });
@@ -61,6 +66,7 @@ class SensorCard implements Row<RoomSensor> {
       this.clock,
       this.interference,
       this.mute,
+      this.settings.root,
       this.wayOut,
     );
   }
@@ -100,6 +106,7 @@ class SensorCard implements Row<RoomSensor> {
     this.wayOut.hidden = entry.online || hub === undefined;
     this.mute.hidden = !hub?.has_microphone && !hub?.muted;
     this.mute.setAttribute('aria-pressed', String(hub?.muted ?? false));
+    this.settings.show(entry.online ? hub?.settings : undefined);
     this.tag.replaceChildren(...[placementTag(entry.pose)].filter((tag) => tag !== undefined));
   }
 }

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The English texts of the console's events, and of sensors' settings from afar.
+
+export const eventTexts = {
+  title: 'Events',
+  filter: 'Show',
+  filters: { all: 'everything', people: 'people', sensors: 'sensors', refused: 'what was refused', admins: 'what admins did' },
+  none: 'Nothing has happened yet since the hub was started.',
+  noneOfThese: 'Nothing of this kind has happened.',
+  kept: 'The newest 1000 since the hub was started; the hub’s log has all.',
+  csv: 'Download CSV',
+  json: 'Download JSON',
+  roles: { sensor: 'a sensor', viewer: 'a person', hub: 'a hub', aligner: 'an aligner' },
+  somebody: 'somebody',
+  times: (count: number) => `${count} times`,
+  kinds: {
+    joined: (who: string) => `${who} joined`,
+    left: (who: string) => `${who} left`,
+    sent_away: (who: string) => `${who} was disconnected`,
+    refused: (who: string) => `${who} was refused`,
+    placed: (who: string) => `${who} was placed`,
+    lost_place: (who: string) => `${who} lost its place`,
+    moved: (who: string) => `${who} was moved`,
+    nudged: (who: string, by: string) => `${by || 'an admin'} proposed a pose for ${who}`,
+    muted: (who: string, by: string) => `${by} muted ${who}`,
+    unmuted: (who: string, by: string) => `${by} let ${who} speak again`,
+    ended: (who: string, by: string) => `${by} sent ${who} away`,
+    changed_room: (_: string, by: string) => `${by} changed the room’s settings`,
+    changed_sensor: (who: string, by: string) => `${by} changed ${who}`,
+    sensor_refused: (who: string, by: string) => `${who} refused what ${by} asked for`,
+    forgot_sensor: (who: string, by: string) => `${by} removed ${who} from the room`,
+    recording_started: (_: string, by: string) => `${by} started a recording`,
+    recording_stopped: (_: string, by: string) => `${by} stopped the recording`,
+  },
+};
+
+export const sensorSettingsTexts = {
+  title: (name: string) => `Settings of ${name}`,
+  open: 'Settings',
+  codec: 'Depth coding',
+  codecs: { live: 'live: fewest bytes, no noise', 'near-lossless': 'near-lossless', lossless: 'lossless: every reading' },
+  rate: 'Target rate',
+  rates: { none: 'none: a fixed quality', auto: 'what its line carries', number: 'this many Mbit/s' },
+  mbit: 'Mbit/s',
+  fps: 'Frames per second',
+  fpsFixed: 'Its frame rate is the camera’s own.',
+  apply: 'Apply',
+  restart: 'Restart',
+  reallyRestart: 'Restart it now?',
+  asking: 'Asking the sensor …',
+  applied: 'Done. The sensor joins again in a moment.',
+  none: 'This sensor takes no settings from here.',
+};
