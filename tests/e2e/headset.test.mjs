@@ -2,31 +2,14 @@
 // The room in a headset emulated by iwer: real Chromium, hub and sensor, and a WebXR device implemented in JavaScript.
 // A second page is another viewer, which sees the wearer's movements.
 import assert from 'node:assert/strict';
-import { createRequire } from 'node:module';
 import { after, before, describe, test } from 'node:test';
 import { openPage, startBrowser } from './browser.mjs';
+import { wearHeadsets } from './headset_device.mjs';
 import { requireBuilt, startHub, startSensor } from './programs.mjs';
 import { distance, panelText, slow, stateOf, until, untilAllShown } from './waiting.mjs';
 
-const iwer = createRequire(new URL('../../web/package.json', import.meta.url)).resolve('iwer/build/iwer.min.js');
 const eyesApart_m = 0.063; // iwer's default
 const floorView = 'panel=1&at=0.5,1.6,1.5&look=0.5,1.6,0';
-
-/**
- * Runs before the page's own scripts and installs a headset with two controllers. (iwer 2.5 expects a matrix where
- * WebXR specifies a transform; without this it would ignore the wearer's position.)
- */
-const plugIn = `
-  window.device = new IWER.XRDevice(IWER.metaQuest3);
-  window.device.installRuntime({ forceInstall: true });
-  const offset = XRReferenceSpace.prototype.getOffsetReferenceSpace;
-  XRReferenceSpace.prototype.getOffsetReferenceSpace = function (transform) {
-    return offset.call(this, transform.matrix);
-  };
-  window.device.stereoEnabled = true;
-  window.device.position.set(0, 1.7, 0);
-  window.device.quaternion.set(0, 0, 0, 1);
-`;
 
 const headsetOf = (page) => page.evaluate(() => window.roomcast.headset());
 
@@ -39,8 +22,7 @@ describe('the room in a headset', () => {
     sensor = startSensor(hub, 0, { fps: 2 });
     browser = await startBrowser({ width: 480, height: 240 });
     other = await openPage(browser.context, `${hub.page}?panel=0&mode=points&name=other`);
-    await browser.context.addInitScript({ path: iwer });
-    await browser.context.addInitScript({ content: plugIn });
+    await wearHeadsets(browser.context);
     page = await openPage(browser.context, `${hub.page}?${floorView}&name=wearer`);
     await untilAllShown(page, 1);
   }, slow);

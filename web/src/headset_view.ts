@@ -7,6 +7,8 @@ import { startDistance_m, type Standpoint } from './standpoint';
 import { headsetPace, screenPace } from './view/quality_ladder';
 import type { Stage } from './view/stage';
 import { viewFromBody } from './view/view_state';
+import type { Sound } from './sound';
+import type { SheetHolder } from './xr/board_sheet';
 import { Headset } from './xr/headset';
 import type { HeadsetMode } from './xr/offer';
 
@@ -17,6 +19,9 @@ export interface HeadsetPage {
   readonly posePublisher: PosePublisher;
   readonly standpoint: Standpoint;
   readonly headset: Headset;
+  readonly sheets: SheetHolder;
+  readonly sound: Sound;
+  readonly hubAddress: string;
 }
 
 export function headsetOf(stage: Stage, page: () => HeadsetPage): Headset {
@@ -25,6 +30,7 @@ export function headsetOf(stage: Stage, page: () => HeadsetPage): Headset {
       stage.ladder.setPace(headsetPace);
       stage.room.setPassthrough(mode === 'immersive-ar');
       page().panel.headset.setOn(true);
+      void showPanel(page());
     },
     moved: (body) => {
       page().state.body = body;
@@ -43,12 +49,26 @@ export function enterHeadset({ standpoint, stage, headset }: HeadsetPage, mode: 
   return headset.enter(mode, position, yaw);
 }
 
+/** Loaded when a headset is put on; without it one is still in the room, and leaves it as other pages. */
+async function showPanel({ headset, state, sound, sheets, standpoint, hubAddress }: HeadsetPage): Promise<void> {
+  if (headset.panel) return;
+  const { HeadsetPanel } = await import('./xr/headset_panel');
+  const panel = new HeadsetPanel({
+    ...{ state, sound, sheets, hubAddress },
+    goToStart: () => headset.goTo(standpoint.startView.position),
+    leave: () => void headset.leave(),
+  });
+  headset.panel = panel;
+  headset.root.add(panel.root);
+}
+
 /** Sets the screen's view to the wearer's last position. */
-function headsetEnded({ stage, state, panel, standpoint }: HeadsetPage): void {
+function headsetEnded({ stage, state, panel, standpoint, headset }: HeadsetPage): void {
   stage.renderer.xr.enabled = false;
   stage.ladder.setPace(screenPace);
   stage.room.setPassthrough(false);
   panel.headset.setOn(false);
+  headset.panel?.close();
   const { body } = state;
   state.body = undefined; // before the screen's own is sent
   if (body) standpoint.set(viewFromBody(body.head, startDistance_m));

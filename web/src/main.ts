@@ -38,6 +38,7 @@ import { Stage } from './view/stage';
 import { keptFragment } from './view/view_address';
 import { hearingObstacle, soundSupport } from './voice/obstacle';
 import type { Headset } from './xr/headset';
+import { SheetHolder } from './xr/board_sheet';
 import { browsersXr, headsetOffer } from './xr/offer';
 
 const panelInterval_ms = 250;
@@ -47,7 +48,9 @@ const roomForPanel = '(min-width: 35.0625em)'; // as in panel.css
 
 class Page {
   readonly state = new RoomState();
-  private readonly sound: Sound;
+  readonly sound: Sound;
+  readonly sheets = new SheetHolder();
+  readonly hubAddress = socketUrl(location).replace(/\/ws$/, '');
   readonly panel: Panel;
   private readonly progress: Progress;
   private readonly console: RoomConsole;
@@ -79,11 +82,9 @@ class Page {
     private readonly options: PageOptions,
     private readonly access: Access,
   ) {
-    const url = socketUrl(location);
     const name = options.study ? anyParticipant : ownName(options.name, browserStorage.store);
-    const hubAddress = url.replace(/\/ws$/, '');
     this.sound = this.makeSound();
-    this.panel = new Panel(document.getElementById('panel')!, this.state, hubAddress, name, this.sound, {
+    this.panel = new Panel(document.getElementById('panel')!, this.state, this.hubAddress, name, this.sound, {
       modeChosen: (mode) => this.setMode(mode),
       qualityChosen: (quality) => this.stage.choose(quality),
       sensorSwitched: (sensor, visible) => this.stage.setVisible(sensor, visible),
@@ -108,7 +109,7 @@ class Page {
     });
     this.progress = new Progress(document.getElementById('progress')!, this.state, !options.controls);
     this.api = new HubApi(() => this.access.token);
-    this.console = this.makeConsole(hubAddress);
+    this.console = this.makeConsole();
     this.stage = this.openStage();
     this.headset = headsetOf(this.stage, () => this);
     this.look = new Look((isLight) => this.stage.setBackground(isLight ? lightBackground : darkBackground));
@@ -125,11 +126,10 @@ class Page {
       remove: (ids) => this.link.removeMarks(ids),
       changed: () => this.places.show(),
     });
-    const author = authorKey(browserStorage.store);
     const { room, record, playback } = options;
     const hears = hearingObstacle(soundSupport()) === '';
     this.link = new RoomLink(
-      { socketUrl: url, room, record, playback, name, access, hears, authorKey: author },
+      { socketUrl: socketUrl(location), room, record, playback, name, access, hears, authorKey: authorKey(browserStorage.store) },
       (message) => this.receive(message),
     );
     this.begin();
@@ -141,8 +141,8 @@ class Page {
     return new Sound({ heads, store: browserStorage.store, connectHub }, { loaded: () => this.panel.showPeople() });
   }
 
-  private makeConsole(hubAddress: string): RoomConsole {
-    const { state, api } = this;
+  private makeConsole(): RoomConsole {
+    const { state, api, hubAddress } = this;
     return new RoomConsole({
       ...{ state, api, hubAddress },
       panel: () => this.panel,
@@ -210,9 +210,9 @@ class Page {
 
   /** The page for a participant of a study. */
   get forStudy(): StudySeat {
-    const { state, stage, link, sound } = this;
+    const { state, stage, link, sound, sheets } = this;
     return {
-      ...{ state, stage, link, sound, store: tabStorage.store },
+      ...{ state, stage, link, sound, sheets, store: tabStorage.store, headset: this.panel.headset },
       token: () => this.access.token,
       body: () => this.body,
       mode: () => stage.room.drawMode,

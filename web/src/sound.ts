@@ -31,6 +31,7 @@ export class Sound {
   private hasFailed = false;
   private isRecorded = false; // what is said
   private wantsToHear = true;
+  private readonly silenced = new Set<number>(); // by the wearer of a headset; viewers
 
   constructor(
     private readonly parts: VoiceParts,
@@ -101,6 +102,23 @@ export class Sound {
     this.voice?.hearOthers(wanted);
   }
 
+  /** Whether this person may speak here. */
+  get mayBeHeard(): boolean {
+    return this.rights.maySpeak && !this.rights.isMuted;
+  }
+
+  isSilenced(viewer: number): boolean {
+    return this.silenced.has(viewer);
+  }
+
+  /** Not heard here any more, or again; nobody else notices. */
+  silence(viewer: number, isSilenced: boolean): void {
+    if (isSilenced) this.silenced.add(viewer);
+    else this.silenced.delete(viewer);
+    this.voice?.speakers.setVolume(viewer, isSilenced ? 0 : 1);
+    this.events.loaded();
+  }
+
   /** The microphone. */
   async toggle(): Promise<void> {
     await (await this.ready())?.toggleMicrophone();
@@ -140,6 +158,7 @@ export class Sound {
     this.root.append(this.controls.root);
     voice.setRights(this.rights);
     voice.hearOthers(this.wantsToHear);
+    this.silenced.forEach((viewer) => voice.speakers.setVolume(viewer, 0));
     this.events.loaded();
     return voice;
   }

@@ -102,7 +102,12 @@ export class Standpoint {
 
   goToStart(): void {
     this.follow.end();
-    this.navigation.set(this.navigation.permitted(this.start() ?? fallbackView));
+    this.navigation.set(this.navigation.permitted(this.startView));
+  }
+
+  /** Where one enters. */
+  get startView(): ViewState {
+    return this.start() ?? fallbackView;
   }
 
   /** Smoothly to a place; height and direction stay. */

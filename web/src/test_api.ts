@@ -119,6 +119,7 @@ export class TestApi {
       drawnHands: headset.drawnHands,
       passthrough: stage.room.isPassthrough,
       selects: headset.selects,
+      panel: headset.panel?.content ?? null,
     };
   }
 

@@ -13,6 +13,7 @@ export class HeadsetControls {
   readonly root = element('div', { class: 'headset' });
   private readonly note = element('p', { role: 'status' });
   private readonly buttons: HTMLButtonElement[] = [];
+  private modes: readonly HeadsetMode[] = [];
   private readonly leave = element('button', { type: 'button', class: 'plain', hidden: '' }, texts.leave);
 
   constructor(private readonly events: HeadsetControlEvents) {
@@ -23,9 +24,19 @@ export class HeadsetControls {
   offer({ modes, obstacle }: HeadsetOffer): void {
     this.buttons.forEach((button) => button.remove());
     this.buttons.length = 0;
+    this.modes = modes;
     for (const mode of modes) this.buttons.push(this.button(mode));
     this.root.prepend(...this.buttons);
     setText(this.note, modes.length > 0 ? texts.help : texts.obstacles[obstacle]);
+  }
+
+  /** Whether one could enter a virtual room now. */
+  get offersVr(): boolean {
+    return this.leave.hidden && this.modes.includes('immersive-vr');
+  }
+
+  enterVr(): void {
+    void this.enter('immersive-vr');
   }
 
   setOn(on: boolean): void {

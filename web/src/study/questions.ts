@@ -3,6 +3,7 @@
 import { element, setText } from '../panel/element';
 import { submit } from '../panel/form';
 import type { Item, Questionnaire } from './study_plan';
+import { QuestionBoard } from './question_board';
 import { studyTexts as texts } from './study_texts';
 
 const mostColumns = 11; // of a scale, beside each other on a phone
@@ -16,34 +17,43 @@ export interface Answer {
 interface Field {
   root: HTMLElement;
   value(): number | string;
+  set(value: number | string): void; // '': none
   focus(): void;
 }
 
 export class Questions {
   readonly root = element('form', { class: 'questions', novalidate: '' });
   private readonly fields: { item: Item; field: Field }[];
+  /** The same in a headset. */
+  readonly board: QuestionBoard;
   private readonly trouble = element('p', { class: 'trouble', role: 'alert' });
 
   constructor(
     { title, intro, items }: Questionnaire,
     private readonly done: (answers: Answer[]) => void,
   ) {
+    const head = { title: title || texts.questions, intro };
     this.fields = items.map((item, i) => ({ item, field: fieldFor(item, `item-${i}`) }));
-    const head = element('h2', {}, title || texts.questions);
     const words = intro ? [element('p', { class: 'words' }, intro)] : [];
-    this.root.append(head, ...words, ...this.fields.map(({ field }) => field.root), this.trouble, submit(texts.next));
+    this.board = new QuestionBoard(head, this.fields, () => this.finish());
+    this.root.append(element('h2', {}, head.title), ...words, ...this.fields.map(({ field }) => field.root), this.trouble, submit(texts.next));
     this.root.addEventListener('submit', (event) => {
       event.preventDefault();
       this.finish();
     });
   }
 
-  private finish(): void {
+  /** The number of the topmost question that has no answer; undefined: it has ended. */
+  private finish(): number | undefined {
     const missing = this.fields.filter(({ item, field }) => item.required && field.value() === '');
     this.fields.forEach(({ item, field }) => field.root.classList.toggle('missing', item.required && field.value() === ''));
     setText(this.trouble, missing.length > 0 ? texts.missing(missing.length) : '');
-    if (missing[0]) return missing[0].field.focus();
+    if (missing[0]) {
+      missing[0].field.focus();
+      return this.fields.indexOf(missing[0]);
+    }
     this.done(this.fields.map(({ item, field }) => ({ item: item.name, value: field.value() })));
+    return undefined;
   }
 }
 
@@ -89,6 +99,7 @@ function radios(item: Item, id: string, values: Choice[], className: string): Fi
   return {
     root,
     value: () => inputs.find(({ input }) => input.checked)?.value ?? '',
+    set: (chosen) => inputs.forEach(({ value, input }) => (input.checked = value === chosen)),
     focus: () => inputs[0]!.input.focus(),
   };
 }
@@ -101,7 +112,12 @@ function typed(
 ): Field {
   input.id = id;
   const root = element('div', { class: 'typed' }, element('label', { for: id }, text), ...optionalNote(required), input);
-  return { root, value: () => read(input.value.trim()), focus: () => input.focus() };
+  return {
+    root,
+    value: () => read(input.value.trim()),
+    set: (value) => (input.value = String(value)),
+    focus: () => input.focus(),
+  };
 }
 
 function optionalNote(isRequired: boolean): HTMLElement[] {

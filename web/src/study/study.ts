@@ -39,7 +39,7 @@ export class Study {
 
   constructor(private readonly seat: StudySeat) {
     this.api = new StudyApi(() => seat.token());
-    this.screen = new StudyScreen(() => void seat.sound.toggle());
+    this.screen = new StudyScreen(() => void seat.sound.toggle(), seat);
     this.conditions = new Conditions(seat);
   }
 

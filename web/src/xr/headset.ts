@@ -13,6 +13,18 @@ import { Sticks, type Stick } from './sticks';
 const walkSpeed_mPerS = 1.4;
 const longestFrame_s = 0.1;
 
+/** What can be pointed at and pressed in the headset, besides the floor. */
+export interface Pressable {
+  update(head: THREE.Vector3, yaw: number): void;
+  /** True where the ray meets it. */
+  point(from: THREE.Vector3, direction: THREE.Vector3): boolean;
+  press(): void;
+  /** The wearer has taken the headset off. */
+  close(): void;
+  /** For tests. */
+  readonly content: unknown;
+}
+
 export interface HeadsetEvents {
   began(mode: HeadsetMode): void;
   moved(body: Body): void;
@@ -33,9 +45,20 @@ function jointsOf(frame: XRFrame, hand: XRHand, space: XRReferenceSpace): XRJoin
   return poses.filter((pose): pose is XRJointPose => pose !== undefined && pose !== null);
 }
 
+function sideOf({ handedness }: XRInputSource): 0 | 1 {
+  return handedness === 'left' ? 0 : 1;
+}
+
+/** Where a hand is, and where it points. */
+function rayOf({ position: p, orientation: o }: XRRigidTransform): [THREE.Vector3, THREE.Vector3] {
+  const ahead = new THREE.Vector3(0, 0, -1).applyQuaternion(new THREE.Quaternion(o.x, o.y, o.z, o.w));
+  return [new THREE.Vector3(p.x, p.y, p.z), ahead];
+}
+
 export class Headset {
   readonly root = new THREE.Group(); // to be added to the scene
   views: { eye: XREye; position: [number, number, number] }[] = []; // of the last picture
+  panel: Pressable | undefined;
   selects = 0; // triggers pulled and pinches made, in this session
   private readonly hands = [new HandView(), new HandView()] as const;
   private readonly arc = new ArcView();
@@ -47,6 +70,7 @@ export class Headset {
   private target: THREE.Vector3 | undefined; // on the floor, while aiming
   private teleports: THREE.Vector3 | undefined; // teleport with the next picture, when the head pose is known
   private lastFrame_ms = 0;
+  private onPanel: number | undefined; // the hand that points at the panel: 0 left, 1 right
 
   constructor(
     private readonly xr: THREE.WebXRManager,
@@ -72,7 +96,7 @@ export class Headset {
       optionalFeatures: ['bounded-floor', 'hand-tracking'],
     });
     session.addEventListener('end', () => this.end());
-    session.addEventListener('selectstart', ({ inputSource }) => (this.selecting = inputSource));
+    session.addEventListener('selectstart', ({ inputSource }) => this.selectWith(inputSource));
     session.addEventListener('selectend', () => this.letGo());
     session.addEventListener('select', () => this.selects++);
     await this.xr.setSession(session);
@@ -83,6 +107,11 @@ export class Headset {
     this.standAt({ x: at.x, y: 0, z: at.z, yaw });
     this.root.visible = true;
     this.events.began(mode);
+  }
+
+  /** To another place on the floor; with the next picture, when the head's pose is known. */
+  goTo(at: THREE.Vector3): void {
+    this.teleports = at.clone().setY(0);
   }
 
   async leave(): Promise<void> {
@@ -98,16 +127,32 @@ export class Headset {
     const seconds = Math.min(longestFrame_s, Math.max(0, (now_ms - this.lastFrame_ms) / 1000));
     this.lastFrame_ms = now_ms;
     const tracked = this.showHands(frame, space);
+    this.showPanel(viewer.transform, tracked);
     this.move(viewer.transform, tracked, seconds);
     const [left, right] = tracked.map((pose) => pose && plain(pose));
     this.events.moved({ head: plain(viewer.transform), leftHand: left, rightHand: right });
+  }
+
+  private selectWith(source: XRInputSource): void {
+    if (this.onPanel === sideOf(source)) this.panel?.press();
+    else this.selecting = source;
+  }
+
+  private showPanel({ position: p, orientation: o }: XRRigidTransform, hands: (XRRigidTransform | undefined)[]): void {
+    const { panel } = this;
+    if (!panel) return;
+    panel.update(new THREE.Vector3(p.x, p.y, p.z), yawOf(new THREE.Quaternion(o.x, o.y, o.z, o.w)));
+    this.onPanel = [1, 0].find((side) => {
+      const hand = hands[side];
+      return hand && panel.point(...rayOf(hand));
+    });
   }
 
   private showHands(frame: XRFrame, space: XRReferenceSpace): (XRRigidTransform | undefined)[] {
     const found: (XRRigidTransform | undefined)[] = [undefined, undefined];
     this.hands.forEach((hand) => hand.hide());
     for (const source of this.session!.inputSources) {
-      const side = source.handedness === 'left' ? 0 : 1;
+      const side = sideOf(source);
       const pose = frame.getPose(source.targetRaySpace, space)?.transform;
       if (!pose) continue;
       found[side] = pose;
@@ -133,16 +178,15 @@ export class Headset {
       const yaw = yawOf(new THREE.Quaternion(x, y, z, w));
       this.standAt(walked(this.place, yaw, wishes.right * step_m, wishes.forward * step_m));
     }
-    const aiming = wishes.aims ? hands[1] : this.selecting && hands[this.selecting.handedness === 'left' ? 0 : 1];
+    const aiming = wishes.aims ? hands[1] : this.selecting && hands[sideOf(this.selecting)];
     if (aiming) this.aim(aiming);
     if (wishes.letsGo) this.letGo();
     if (this.teleports) this.standAt(movedTo(this.place, at, this.teleports));
     this.teleports = undefined;
   }
 
-  private aim({ position: p, orientation: o }: XRRigidTransform): void {
-    const ahead = new THREE.Vector3(0, 0, -1).applyQuaternion(new THREE.Quaternion(o.x, o.y, o.z, o.w));
-    const arc = throwArc(new THREE.Vector3(p.x, p.y, p.z), ahead);
+  private aim(hand: XRRigidTransform): void {
+    const arc = throwArc(...rayOf(hand));
     this.target = arc.at(-1);
     this.arc.show(arc);
   }

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// A WebXR device implemented in JavaScript (iwer), which pages of a browser find, and its right hand.
+import { createRequire } from 'node:module';
+import { setTimeout as delay } from 'node:timers/promises';
+import { stateOf, until } from './waiting.mjs';
+
+const iwer = createRequire(new URL('../../web/package.json', import.meta.url)).resolve('iwer/build/iwer.min.js');
+
+/**
+ * Runs before the page's own scripts and installs a headset with two controllers. (iwer 2.5 expects a matrix where
+ * WebXR specifies a transform; without this it would ignore the wearer's position.)
+ */
+const plugIn = `
+  window.device = new IWER.XRDevice(IWER.metaQuest3);
+  window.device.installRuntime({ forceInstall: true });
+  const offset = XRReferenceSpace.prototype.getOffsetReferenceSpace;
+  XRReferenceSpace.prototype.getOffsetReferenceSpace = function (transform) {
+    return offset.call(this, transform.matrix);
+  };
+  window.device.stereoEnabled = true;
+  window.device.position.set(0, 1.7, 0);
+  window.device.quaternion.set(0, 0, 0, 1);
+`;
+
+export async function wearHeadsets(context) {
+  await context.addInitScript({ path: iwer });
+  await context.addInitScript({ content: plugIn });
+}
+
+const pictures = async (page, count) => {
+  const before = (await stateOf(page)).pictures;
+  await until('pictures', () => stateOf(page), (now) => now.pictures >= before + count);
+};
+
+/** Points the right hand at the button with this text, on the panel that `panelOf` tells of, and pulls the trigger. */
+export async function pressOnBoard(page, panelOf, text) {
+  const buttons = async () => {
+    const panel = await panelOf();
+    return [...(panel?.board?.buttons ?? []), ...(panel?.tile?.buttons ?? [])];
+  };
+  const found = await until(`the button ${text}`, buttons, (all) => all.some((button) => button.text === text));
+  const { at } = found.find((button) => button.text === text);
+  await page.evaluate((target) => {
+    // The hand is beside the head, and the wearer's own space differs from the room by where they stand.
+    const { head } = window.roomcast.headset();
+    const { device } = window;
+    const heading = Math.atan2(2 * (head.qw * head.qy), 1 - 2 * head.qy * head.qy);
+    const ownHeading = Math.atan2(2 * (device.quaternion.w * device.quaternion.y), 1 - 2 * device.quaternion.y * device.quaternion.y);
+    const turn = ownHeading - heading;
+    const [dx, dy, dz] = [target[0] - head.x, target[1] - head.y, target[2] - head.z];
+    const aim = [Math.cos(turn) * dx + Math.sin(turn) * dz, dy, -Math.sin(turn) * dx + Math.cos(turn) * dz];
+    const yaw = Math.atan2(-aim[0], -aim[2]);
+    const pitch = Math.atan2(aim[1], Math.hypot(aim[0], aim[2]));
+    const { right } = device.controllers;
+    right.position.set(device.position.x, device.position.y, device.position.z);
+    const [cy, sy, cp, sp] = [Math.cos(yaw / 2), Math.sin(yaw / 2), Math.cos(pitch / 2), Math.sin(pitch / 2)];
+    right.quaternion.set(cy * sp, sy * cp, -sy * sp, cy * cp);
+  }, at);
+  await pictures(page, 3);
+  await page.evaluate(() => window.device.controllers.right.updateButtonValue('trigger', 1));
+  await pictures(page, 2);
+  await page.evaluate(() => window.device.controllers.right.updateButtonValue('trigger', 0));
+  await pictures(page, 2);
+  await delay(50);
+}

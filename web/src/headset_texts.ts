@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The English texts of the panel in a headset.
+
+export const headsetPanelTexts = {
+  open: 'Menu',
+  close: 'Close',
+  leave: 'Leave the headset',
+  start: 'Back to the start',
+  microphone: (isOn: boolean) => (isOn ? 'Microphone: on' : 'Microphone: off'),
+  people: 'Here, and heard by you:',
+  alone: 'Nobody else is here.',
+  person: (name: string, isSilenced: boolean) => (isSilenced ? `${name} (muted)` : name),
+  more: (count: number) => `and ${count} more`,
+};
