@@ -46,7 +46,8 @@ Result<RemoteSettings> changed(RemoteSettings now, const wire::pb::SensorSetting
   if (auto status = now.codec.check(); !status) return status.error();
   if (!wanted.has_fps()) return now;
   if (!now.fps)
-    return invalid_argument("only a simulated sensor takes another frame rate; this one has its own");
+    return invalid_argument(
+        "only a simulated sensor takes another frame rate; this one has its own");
   if (!(wanted.fps() >= kMinSetFps && wanted.fps() <= kMaxSetFps))
     return invalid_argument("a frame rate is 1 to 60 per second");
   now.fps = wanted.fps();

@@ -15,16 +15,11 @@ namespace roomcast::hub {
 namespace {
 
 nlohmann::json event_json(const RoomEvent& event) {
-  return {{"id", event.id},
-          {"number", event.number},
-          {"at", event.at},
-          {"kind", event.kind},
-          {"role", event.role},
-          {"name", event.name},
-          {"peer", event.peer},
-          {"token_id", event.token_id},
-          {"by", event.by},
-          {"sentence", event.sentence},
+  return {{"id", event.id},      {"number", event.number},
+          {"at", event.at},      {"kind", event.kind},
+          {"role", event.role},  {"name", event.name},
+          {"peer", event.peer},  {"token_id", event.token_id},
+          {"by", event.by},      {"sentence", event.sentence},
           {"times", event.times}};
 }
 
@@ -46,30 +41,29 @@ void AdminApi::list_events(const Call& call) const {
 
 void AdminApi::note(const Call& call, const char* kind, const std::string& name,
                     const std::string& sentence) const {
-  registry_.note(call.parameter(0), {.kind = kind,
-                                     .name = name,
-                                     .token_id = call.claims->id,
-                                     .by = call.claims->grant.name.empty()
-                                               ? "an admin"
-                                               : call.claims->grant.name,
-                                     .sentence = sentence});
+  registry_.note(call.parameter(0),
+                 {.kind = kind,
+                  .name = name,
+                  .token_id = call.claims->id,
+                  .by = call.claims->grant.name.empty() ? "an admin" : call.claims->grant.name,
+                  .sentence = sentence});
 }
 
 void AdminApi::change_sensor(const Call& call) {
   if (nlohmann::json::parse(call.body, nullptr, false).contains("muted")) return mute_sensor(call);
   const auto request = read_settings_request(call.body);
   if (!request) return call.respond(error_answer(request.error()));
-  registry_.ask_sensor(
-      call.parameter(0), call.parameter(1), *request,
-      [this, call, wanted = described(*request)](const Status& outcome) {
-        const std::string& sensor = call.parameter(1);
-        if (!outcome) {
-          note(call, "sensor_refused", sensor, wanted + ": " + outcome.error().message);
-          return call.respond(error_answer(outcome.error()));
-        }
-        note(call, "changed_sensor", sensor, wanted);
-        call.respond(json_answer(202, {{"sensor", sensor}, {"wanted", wanted}}));
-      });
+  registry_.ask_sensor(call.parameter(0), call.parameter(1), *request,
+                       [this, call, wanted = described(*request)](const Status& outcome) {
+                         const std::string& sensor = call.parameter(1);
+                         if (!outcome) {
+                           note(call, "sensor_refused", sensor,
+                                wanted + ": " + outcome.error().message);
+                           return call.respond(error_answer(outcome.error()));
+                         }
+                         note(call, "changed_sensor", sensor, wanted);
+                         call.respond(json_answer(202, {{"sensor", sensor}, {"wanted", wanted}}));
+                       });
 }
 
 }  // namespace roomcast::hub

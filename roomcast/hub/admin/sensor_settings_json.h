@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sensor's settings as JSON (docs/spec/admin.openapi.yaml): {"codec": "live", "mbit": 2, "fps": 15}.
-// The target rate is a number, 0 for none, or "auto". Threading: no state.
+// A sensor's settings as JSON (docs/spec/admin.openapi.yaml): {"codec": "live", "mbit": 2, "fps":
+// 15}. The target rate is a number, 0 for none, or "auto". Threading: no state.
 #pragma once
 
 #include <string>

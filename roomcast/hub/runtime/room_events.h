@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // RoomEvents: what happened in a room lately, for those who run it: who came and went, who was
-// refused and why, what an admin changed. Bounded: the oldest are forgotten, and equal refusals count
-// as one, so that who knocks again and again hides nothing. Single-threaded.
+// refused and why, what an admin changed. Bounded: the oldest are forgotten, and equal refusals
+// count as one, so that who knocks again and again hides nothing. Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,17 @@
 namespace roomcast::hub {
 
 struct RoomEvent {
-  std::string kind;  // "joined"; all kinds: docs/spec/admin.openapi.yaml
+  std::string kind;           // "joined"; all kinds: docs/spec/admin.openapi.yaml
   std::string role = {};      // "sensor", "viewer", "hub", "aligner"; empty: it is about no client
   std::string name = {};      // of the client, or of what was changed
   std::string peer = {};      // the client's address
   std::string token_id = {};  // of the token that it showed
-  std::string by = {};        // the admin who did it, by the name in the token; empty: nobody's deed
+  std::string by = {};  // the admin who did it, by the name in the token; empty: nobody's deed
   std::string sentence = {};  // for people
   // Set by RoomEvents.
   std::uint64_t id = 0;      // stays the same while equal refusals are added
   std::uint64_t number = 0;  // grows with each addition
-  UnixSeconds at = 0;    // of the newest
+  UnixSeconds at = 0;        // of the newest
   std::uint32_t times = 1;
 };
 

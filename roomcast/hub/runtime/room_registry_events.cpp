@@ -11,7 +11,8 @@ namespace roomcast::hub {
 namespace {
 
 constexpr char kTakesNone[] =
-    "this sensor takes no settings from afar: it is no `roomcast sensor`, of an earlier version, or "
+    "this sensor takes no settings from afar: it is no `roomcast sensor`, of an earlier version, "
+    "or "
     "was started with --no-remote-settings";
 
 }  // namespace
@@ -44,7 +45,8 @@ void RoomRegistry::note_message(ConnectionId from, const wire::pb::Control& mess
   if (message.has_sensor_moved()) return note_client(client, "moved", "");
   const auto sensors = client.room->stats().sensors;
   const auto sensor = std::ranges::find_if(
-      sensors, [id = message.nudge().sensor_id()](const SensorStats& s) { return s.id.value == id; });
+      sensors,
+      [id = message.nudge().sensor_id()](const SensorStats& s) { return s.id.value == id; });
   if (sensor == sensors.end() || client.role != "viewer") return;
   note(client.room->name(),
        {.kind = "nudged", .role = "sensor", .name = sensor->name, .by = client.name});
@@ -54,8 +56,8 @@ void RoomRegistry::note_message(ConnectionId from, const wire::pb::Control& mess
 void RoomRegistry::note_places(const std::string& room, const std::vector<KnownSensor>& sensors) {
   for (const KnownSensor& sensor : sensors) {
     auto& placed = placed_[room];
-    const bool is_news = sensor.pose ? placed.insert(sensor.name).second
-                                     : placed.erase(sensor.name) > 0;
+    const bool is_news =
+        sensor.pose ? placed.insert(sensor.name).second : placed.erase(sensor.name) > 0;
     if (!is_news) continue;
     note(room, {.kind = sensor.pose ? "placed" : "lost_place",
                 .role = "sensor",
