@@ -15,12 +15,20 @@
 
 namespace roomcast::bench {
 
+/// What viewers tell of their heads, ten times a second.
+enum class Heads {
+  kNotTold,
+  kTold,      // but not how wide they see, so that they get all frames
+  kElsewhere  // they look where no sensor sees anything, and turn
+};
+
 struct FanoutRoom {
   std::size_t frame_bytes = 20'480;
   double fps = 30;  // announced by the sensors
   /// True: frames are stamped with the time at which they are sent. False, for publishers faster
   /// than any camera: frames are stamped with times long ago, and each becomes a set of its own.
   bool real_time = true;
+  Heads heads = Heads::kNotTold;
 };
 
 struct RunningEngine {

@@ -15,6 +15,8 @@ namespace roomcast::bench {
 namespace {
 
 constexpr double kRoomFps = 30;
+constexpr double kHeadFps = 10;  // also how often viewers tell of their heads
+constexpr int kHeadViewers = 500;
 constexpr int kRoomSensors = 4, kRoomViewers = 50, kWindow = 2;
 /// Announced rate of publishers that are faster than cameras; the highest rate that a hub accepts.
 constexpr double kMaxFps = 240;
@@ -22,14 +24,17 @@ constexpr double kMaxFps = 240;
 struct LoadCase {
   std::string name;
   int publishers, viewers, stalled;
-  bool paced;
+  double fps;  // 0: as fast as all viewers read
+  Heads heads = Heads::kNotTold;
 };
 
 std::vector<LoadCase> load_cases(const FanoutBenchOptions& options) {
   std::vector<LoadCase> cases;
-  for (const int viewers : options.viewers) cases.push_back({"max", 1, viewers, 0, false});
-  cases.push_back({"room", kRoomSensors, kRoomViewers, 0, true});
-  cases.push_back({"stall", kRoomSensors, kRoomViewers, kRoomViewers / 10, true});
+  for (const int viewers : options.viewers) cases.push_back({"max", 1, viewers, 0, 0});
+  cases.push_back({"room", kRoomSensors, kRoomViewers, 0, kRoomFps});
+  cases.push_back({"stall", kRoomSensors, kRoomViewers, kRoomViewers / 10, kRoomFps});
+  cases.push_back({"heads", kRoomSensors, kHeadViewers, 0, kHeadFps, Heads::kTold});
+  cases.push_back({"elsewhere", kRoomSensors, kHeadViewers, 0, kHeadFps, Heads::kElsewhere});
   std::erase_if(cases, [&](const LoadCase& load_case) {
     return std::ranges::find(options.loads, load_case.name) == options.loads.end();
   });
@@ -55,6 +60,11 @@ bool is_wanted(const Engine& engine, const std::vector<std::string>& only) {
          });
 }
 
+/// Heads are the hub's alone.
+bool takes(const Engine& engine, const LoadCase& load_case) {
+  return load_case.heads == Heads::kNotTold || engine.name().starts_with("roomcast");
+}
+
 double quantile(std::vector<double> values, double q) {
   if (values.empty()) return 0;
   const auto at = static_cast<std::size_t>(q * static_cast<double>(values.size() - 1));
@@ -71,8 +81,10 @@ Result<FanoutRow> measure(const Engine& engine, const LoadCase& load_case,
                           const FanoutBenchOptions& options) {
   FanoutRoom room;
   room.frame_bytes = options.frame_bytes;
-  room.fps = load_case.paced ? kRoomFps : kMaxFps;
-  room.real_time = load_case.paced;
+  const bool is_paced = load_case.fps > 0;
+  room.fps = is_paced ? load_case.fps : kMaxFps;
+  room.real_time = is_paced;
+  room.heads = load_case.heads;
   const auto running = engine.start(room);
   if (!running) return running.error();
   const ChildProcess& process = running->process;
@@ -85,8 +97,8 @@ Result<FanoutRow> measure(const Engine& engine, const LoadCase& load_case,
   const auto cpu_before = process.cpu_time();
   const std::size_t rss_before = process.resident_bytes();
   const auto begin = Load::Clock::now();
-  const auto traffic = load_case.paced ? (*load)->run_paced(kRoomFps, 2 * options.duration)
-                                       : (*load)->run_closed(kWindow, options.duration);
+  const auto traffic = is_paced ? (*load)->run_paced(room.fps, 2 * options.duration)
+                                : (*load)->run_closed(kWindow, options.duration);
   if (!traffic) return traffic.error();
   const std::chrono::duration<double> cpu = process.cpu_time() - cpu_before;
   const std::chrono::duration<double> wall = Load::Clock::now() - begin;
@@ -97,6 +109,7 @@ Result<FanoutRow> measure(const Engine& engine, const LoadCase& load_case,
   row.viewers = load_case.viewers;
   row.tls = engine.encrypts();
   row.deliveries_per_cpu_s = static_cast<double>(traffic->deliveries) / cpu.count();
+  row.cores = cpu / wall;
   row.p50_ms = quantile(traffic->latencies_ms, 0.5);
   row.p99_ms = quantile(traffic->latencies_ms, 0.99);
   const double rss_after = kb(process.resident_bytes());
@@ -114,8 +127,9 @@ double median_of(const std::vector<FanoutRow>& rounds, double FanoutRow::*field)
 FanoutRow median(const std::vector<FanoutRow>& rounds) {
   FanoutRow row = rounds.front();
   for (double FanoutRow::*field :
-       {&FanoutRow::deliveries_per_cpu_s, &FanoutRow::ratio_to_limit, &FanoutRow::p50_ms,
-        &FanoutRow::p99_ms, &FanoutRow::rss_per_viewer_kb, &FanoutRow::rss_growth_kb_per_s}) {
+       {&FanoutRow::deliveries_per_cpu_s, &FanoutRow::cores, &FanoutRow::ratio_to_limit,
+        &FanoutRow::p50_ms, &FanoutRow::p99_ms, &FanoutRow::rss_per_viewer_kb,
+        &FanoutRow::rss_growth_kb_per_s}) {
     row.*field = median_of(rounds, field);
   }
   return row;
@@ -132,6 +146,7 @@ class Rounds {
     for (int round = 0; round < options_.rounds; ++round) {
       std::map<bool, double> limit;  // by encryption
       for (const auto& engine : engines) {
+        if (!takes(*engine, load_case)) continue;
         if (progress) {
           progress(fmt::format("{}, {} viewers, round {} of {}: {}", load_case.name,
                                load_case.viewers, round + 1, options_.rounds, engine->name()));

@@ -44,8 +44,8 @@ TEST(FanoutBench, json_has_the_keys_that_scripts_rely_on) {
   std::ostringstream out;
   print_json(report, out);
   const auto row = nlohmann::json::parse(out.str())["rows"][0];
-  for (const char* key : {"engine", "viewers", "tls", "deliveries_per_cpu_s", "ratio_to_limit",
-                          "p50_ms", "p99_ms", "rss_per_viewer_kb"}) {
+  for (const char* key : {"engine", "viewers", "tls", "deliveries_per_cpu_s", "cores",
+                          "ratio_to_limit", "p50_ms", "p99_ms", "rss_per_viewer_kb"}) {
     EXPECT_TRUE(row.contains(key)) << key;
   }
 }

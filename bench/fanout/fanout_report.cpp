@@ -9,14 +9,14 @@
 namespace roomcast::bench {
 
 void print_table(const FanoutReport& report, std::ostream& out) {
-  out << fmt::format("{:<18}{:<7}{:>8}{:>15}{:>9}{:>9}{:>9}{:>12}{:>12}\n", "server", "load",
-                     "viewers", "deliv./CPU-s", "limit=1", "p50 ms", "p99 ms", "kB/viewer",
+  out << fmt::format("{:<18}{:<10}{:>8}{:>15}{:>7}{:>9}{:>9}{:>9}{:>12}{:>12}\n", "server", "load",
+                     "viewers", "deliv./CPU-s", "cores", "limit=1", "p50 ms", "p99 ms", "kB/viewer",
                      "growth kB/s");
   for (const FanoutRow& row : report.rows) {
-    out << fmt::format("{:<18}{:<7}{:>8}{:>15.0f}{:>9.2f}{:>9.2f}{:>9.2f}{:>12.1f}{:>12.1f}\n",
-                       row.engine, row.load, row.viewers, row.deliveries_per_cpu_s,
-                       row.ratio_to_limit, row.p50_ms, row.p99_ms, row.rss_per_viewer_kb,
-                       row.rss_growth_kb_per_s);
+    out << fmt::format(
+        "{:<18}{:<10}{:>8}{:>15.0f}{:>7.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>12.1f}{:>12.1f}\n",
+        row.engine, row.load, row.viewers, row.deliveries_per_cpu_s, row.cores, row.ratio_to_limit,
+        row.p50_ms, row.p99_ms, row.rss_per_viewer_kb, row.rss_growth_kb_per_s);
   }
   for (const std::string& sentence : report.left_out) out << "left out: " << sentence << "\n";
 }
@@ -29,6 +29,7 @@ void print_json(const FanoutReport& report, std::ostream& out) {
                     {"viewers", row.viewers},
                     {"tls", row.tls},
                     {"deliveries_per_cpu_s", row.deliveries_per_cpu_s},
+                    {"cores", row.cores},
                     {"ratio_to_limit", row.ratio_to_limit},
                     {"p50_ms", row.p50_ms},
                     {"p99_ms", row.p99_ms},

@@ -174,6 +174,17 @@ void Load::publish_all() {
   }
 }
 
+Status Load::tell_heads() {
+  if (room_.heads == Heads::kNotTold) return {};
+  ++head_steps_;
+  for (std::size_t i = 0; i < viewers_.size(); ++i) {
+    const std::string head = engine_.protocol->head_of(static_cast<int>(i), head_steps_,
+                                                       room_.heads == Heads::kElsewhere);
+    if (!write_all(viewers_[i].fd, viewers_[i].tls, head)) return hung_up();
+  }
+  return {};
+}
+
 RoomTime Load::capture_time(std::uint32_t number) const {
   if (room_.real_time) return RoomTime(sent_at_[number].time_since_epoch());
   return RoomTime(nanoseconds(std::llround(1e9 / room_.fps * number)));
@@ -301,6 +312,7 @@ Result<Traffic> Load::run_paced(double fps, Clock::duration duration) {
     if (next > Clock::now()) {
       if (auto status = poll(next - Clock::now()); !status) return status.error();
     }
+    if (auto status = tell_heads(); !status) return status.error();
     publish_all();
   }
   if (auto status = poll(std::min<Clock::duration>(500ms, duration)); !status) {

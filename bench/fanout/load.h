@@ -62,6 +62,7 @@ class Load {
   Status open_viewer(bool reads);
   Status open_publisher(int index);
   void publish_all();
+  Status tell_heads();
   [[nodiscard]] RoomTime capture_time(std::uint32_t number) const;
   void flush(Publisher& publisher);
   Status poll(Clock::duration at_most);
@@ -75,6 +76,7 @@ class Load {
   std::shared_ptr<const net::TlsClientContext> clients_;
   int epoll_ = -1;
   std::vector<Viewer> viewers_;
+  int head_steps_ = 0;
   std::vector<int> stalled_fds_;
   std::vector<Publisher> publishers_;
   std::vector<Clock::time_point> sent_at_;  // by number

@@ -2,6 +2,7 @@
 #include "bench/fanout/protocol.h"
 
 #include <charconv>
+#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -125,6 +126,20 @@ std::string sealed(const wire::pb::Control& control) {
       net::frame_message(net::MessageBuffer(message), net::Opcode::kBinary, kMask)->wire_bytes()));
 }
 
+/// A wall 2 m in front of a sensor.
+wire::pb::Control wall_ahead() {
+  constexpr int kColumns = 12, kRows = 9, kWall_cm = 200;
+  wire::pb::Control control;
+  wire::pb::CoarseDepth& depth = *control.mutable_coarse_depth();
+  depth.set_columns(kColumns);
+  depth.set_rows(kRows);
+  for (int i = 0; i < kColumns * kRows; ++i) {
+    depth.add_near_cm(kWall_cm);
+    depth.add_far_cm(kWall_cm);
+  }
+  return control;
+}
+
 class RoomcastProtocol final : public Protocol {
  public:
   explicit RoomcastProtocol(double fps) : fps_(fps) {}
@@ -138,7 +153,23 @@ class RoomcastProtocol final : public Protocol {
   std::string publisher_greeting(int index) const override {
     wire::pb::Control control;
     *control.mutable_join() = sensor_fixture(fmt::format("s{}", index), fps_);
-    return upgrade() + sealed(control);
+    for (int i = 0; i < 16; ++i)
+      control.mutable_join()->mutable_sensor()->add_world_from_depth(i % 5 == 0 ? 1 : 0);
+    return upgrade() + sealed(control) + sealed(wall_ahead());
+  }
+
+  std::string head_of(int viewer, int step, bool tells_angle) const override {
+    constexpr double kTurn_rad = 0.02, kHalfAngle_rad = 0.7;
+    wire::pb::Control control;
+    wire::pb::ViewerPose& pose = *control.mutable_viewer_pose();
+    wire::pb::Pose& head = *pose.mutable_head();
+    head.set_x(static_cast<float>(viewer % 10) * 0.1F);
+    head.set_z(-3);  // looks along -z: the wall of the sensors is behind
+    const double half_yaw_rad = 0.5 * kTurn_rad * (step % 20 - 10);
+    head.set_qy(static_cast<float>(std::sin(half_yaw_rad)));
+    head.set_qw(static_cast<float>(std::cos(half_yaw_rad)));
+    if (tells_angle) pose.set_view_half_angle(static_cast<float>(kHalfAngle_rad));
+    return sealed(control);
   }
 
   std::unique_ptr<MessageCounter> make_counter() const override {

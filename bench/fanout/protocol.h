@@ -33,6 +33,12 @@ class Protocol {
   /// `index` distinguishes several publishers.
   [[nodiscard]] virtual std::string publisher_greeting(int index) const = 0;
   [[nodiscard]] virtual std::unique_ptr<MessageCounter> make_counter() const = 0;
+  /// What viewer number `viewer` sends of its head for the `step`th time; `tells_angle`: also how
+  /// wide it sees. Nothing in protocols without heads.
+  [[nodiscard]] virtual std::string head_of(int /*viewer*/, int /*step*/,
+                                            bool /*tells_angle*/) const {
+    return {};
+  }
   /// Appends the bytes that publish `frame`.
   virtual void publish(std::span<const std::uint8_t> frame, std::string& out) const = 0;
 };

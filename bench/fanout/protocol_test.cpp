@@ -86,6 +86,14 @@ TEST(Protocol, messages_are_found_however_the_bytes_are_cut) {
   }
 }
 
+TEST(Protocol, heads_are_told_in_the_hubs_alone) {
+  const auto hub = roomcast_protocol(10);
+  EXPECT_FALSE(hub->head_of(0, 1, false).empty());
+  EXPECT_GT(hub->head_of(0, 1, true).size(), hub->head_of(0, 1, false).size());
+  EXPECT_NE(hub->head_of(0, 1, true), hub->head_of(0, 2, true)) << "it turns";
+  EXPECT_TRUE(raw_protocol(100)->head_of(0, 1, true).empty());
+}
+
 TEST(Protocol, refusal_is_noticed) {
   const std::string refusal = "HTTP/1.1 503 Service Unavailable\r\n\r\n";
   Numbers numbers;

@@ -36,15 +36,15 @@ void add_fanout_bench(CLI::App& bench, Command& chosen) {
   command->add_option("--rounds", options->rounds, "Measurements of each server, in turns")
       ->check(within(1, 100))
       ->capture_default_str();
-  command->add_option("--load", options->loads, "Loads: max, room, stall")
+  command->add_option("--load", options->loads, "Loads: max, room, stall, heads, elsewhere")
       ->delimiter(',')
-      ->check(CLI::IsMember({"max", "room", "stall"}));
+      ->check(CLI::IsMember({"max", "room", "stall", "heads", "elsewhere"}));
   command
       ->add_option("--only", options->only, "Only servers with one of these texts in their names")
       ->delimiter(',');
   command
       ->add_option("--seconds", *seconds,
-                   "Seconds per measurement at full speed; room and stall take twice as long")
+                   "Seconds per measurement at full speed; others take twice as long")
       ->check(within(0.1, 6.0))
       ->capture_default_str();
   command->add_flag("--json", *json, "Print JSON");
