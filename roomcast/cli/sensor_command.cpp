@@ -206,6 +206,7 @@ Status stay_in_room(SensorCommandOptions& options, sensor::SettingsMailbox& requ
     say(options, "an admin of the room wants other settings or a new start");
     earlier = std::exchange(settings, *end.next);
     options.feed.wait_for_hub = true;  // it was there a moment ago
+    options.feed.append_to_frame_log = true;
     if (!requests.token().empty())
       options.feed.credential = {.token = requests.token(), .code = {}};
   }

@@ -25,8 +25,8 @@ std::uint32_t depth_crc32(DepthView depth_mm) {
   return crc;
 }
 
-Result<FrameLog> FrameLog::open(const std::filesystem::path& path) {
-  OwnedFile file = open_file_at_once(path, "w");
+Result<FrameLog> FrameLog::open(const std::filesystem::path& path, Start start) {
+  OwnedFile file = open_file_at_once(path, start == Start::kAppended ? "a" : "w");
   if (file == nullptr) {
     return Error{ErrorCode::kUnavailable,
                  "cannot write " + path.string() + ": " + std::strerror(errno)};

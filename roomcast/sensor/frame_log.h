@@ -19,8 +19,9 @@ namespace roomcast::sensor {
 
 class FrameLog {
  public:
+  enum class Start { kAnew, kAppended };  // to what is in the file
   /// kUnavailable when the file cannot be written.
-  static Result<FrameLog> open(const std::filesystem::path& path);
+  static Result<FrameLog> open(const std::filesystem::path& path, Start start = Start::kAnew);
   /// kUnavailable when the line cannot be written, for example to a full disk.
   [[nodiscard]] Status add(std::uint32_t seq, RoomTime capture_time, DepthView depth_mm);
 

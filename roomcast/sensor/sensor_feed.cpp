@@ -305,7 +305,9 @@ Result<std::unique_ptr<SensorFeed>> SensorFeed::start(std::unique_ptr<source::Fr
   const source::SensorDescription sensor = source->description();
   std::optional<FrameLog> frame_log;
   if (options.frame_log) {
-    auto opened = FrameLog::open(*options.frame_log);
+    auto opened =
+        FrameLog::open(*options.frame_log, options.append_to_frame_log ? FrameLog::Start::kAppended
+                                                                       : FrameLog::Start::kAnew);
     if (!opened) return opened.error();
     frame_log = std::move(*opened);
   }

@@ -39,6 +39,7 @@ struct SensorFeedOptions {
   bool complete_planes = true;      // likewise: depth where a large plane returns none
   bool send_pose = true;            // send the source's pose; else the hub's aligner estimates it
   std::optional<std::filesystem::path> frame_log;  // one JSON line per frame sent
+  bool append_to_frame_log = false;
   sound::OpenMicrophone microphone = {};  // whose sound is sent with the frames; none: no sound
   std::filesystem::path preview;          // path of a picture, written once a second; empty: none
   LogSink log;
