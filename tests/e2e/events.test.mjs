@@ -43,7 +43,9 @@ describe('in the console', () => {
 
   test('a sensor is asked for another codec and rate, and joins again with them', slow, async () => {
     const details = card('s0').locator('.sensor-settings');
-    await details.locator('summary').click(); // a key would go where the console puts the focus while it opens
+    const summary = details.locator('summary');
+    await summary.waitFor(); // press() alone does not: its key would go to the console's close button, which has the focus
+    await summary.press('Enter');
     await details.getByLabel('Target rate').selectOption('number');
     await details.getByLabel('Mbit/s', { exact: true }).fill('3');
     await details.getByLabel('Frames per second').fill('4');
