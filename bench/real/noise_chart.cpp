@@ -7,12 +7,14 @@
 
 #include <fmt/format.h>
 
-#include "bench/real/page_parts.h"
+#include "roomcast/core/axis_step.h"
+#include "roomcast/core/markup_text.h"
 
 namespace roomcast::bench {
 namespace {
 
 constexpr double kWidth = 560, kHeight = 240, kLeft = 48, kRight = 90, kTop = 12, kBottom = 36;
+constexpr int kAxisSteps = 4;
 constexpr std::array kColors{"#2f6fdb", "#c2571a", "#2c8a4b", "#8a3fb0", "#b02a4c", "#4d5663"};
 
 struct Scale {
@@ -26,22 +28,13 @@ struct Scale {
   }
 };
 
-/// 1, 2 or 5 times a power of ten, so that about four steps reach `most`.
-double step_to(double most) {
-  const double rough = most / 4, power = std::pow(10, std::floor(std::log10(rough)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= rough) return factor * power;
-  }
-  return 10 * power;
-}
-
 std::string axes(const Scale& scale) {
   std::string svg;
-  for (double m = 0; m <= scale.most_m; m += step_to(scale.most_m)) {
+  for (double m = 0; m <= scale.most_m; m += axis_step(scale.most_m, kAxisSteps)) {
     svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\">{:g}</text>",
                        scale.x(m), kHeight - kBottom + 16, m);
   }
-  for (double mm = 0; mm <= scale.most_mm; mm += step_to(scale.most_mm)) {
+  for (double mm = 0; mm <= scale.most_mm; mm += axis_step(scale.most_mm, kAxisSteps)) {
     svg += fmt::format(
         "<path d=\"M{:.0f} {:.1f}H{:.0f}\" stroke=\"#d5d9df\"/><text x=\"{:.0f}\" y=\"{:.1f}\" "
         "text-anchor=\"end\">{:g}</text>",
@@ -63,7 +56,7 @@ std::string line(const SensorCondition& condition, const Scale& scale, const cha
       "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/><text x=\"{:.0f}\" "
       "y=\"{:.0f}\" fill=\"{}\">{}</text>",
       points, color, kWidth - kRight + 10, kTop + 16 + 18 * number, color,
-      escaped_html(condition.sensor));
+      markup_text(condition.sensor));
 }
 
 }  // namespace

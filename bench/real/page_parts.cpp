@@ -2,11 +2,11 @@
 #include "bench/real/page_parts.h"
 
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
 #include "bench/real/noise_chart.h"
+#include "roomcast/core/markup_text.h"
 
 namespace roomcast::bench {
 namespace {
@@ -25,8 +25,8 @@ std::string depth_scale_text(const alignment::SensorReport& sensor) {
 std::string ball_rows(const std::vector<BallGap>& gaps) {
   std::string rows;
   for (const BallGap& gap : gaps) {
-    rows += fmt::format("<tr><td>{} and {}<td>{}<td>{:.0f}<td>{:.0f}\n", escaped_html(gap.a),
-                        escaped_html(gap.b), gap.instants, gap.median_mm, gap.expected_mm);
+    rows += fmt::format("<tr><td>{} and {}<td>{}<td>{:.0f}<td>{:.0f}\n", markup_text(gap.a),
+                        markup_text(gap.b), gap.instants, gap.median_mm, gap.expected_mm);
   }
   return rows;
 }
@@ -35,8 +35,8 @@ std::string loop_rows(const std::vector<Loop>& loops) {
   std::string rows;
   for (const Loop& loop : loops) {
     rows +=
-        fmt::format("<tr><td>{}, {}, {}<td>{:.0f}<td>{:.2f}\n", escaped_html(loop.a),
-                    escaped_html(loop.b), escaped_html(loop.c), loop.closure_mm, loop.closure_deg);
+        fmt::format("<tr><td>{}, {}, {}<td>{:.0f}<td>{:.2f}\n", markup_text(loop.a),
+                    markup_text(loop.b), markup_text(loop.c), loop.closure_mm, loop.closure_deg);
   }
   return rows;
 }
@@ -44,7 +44,7 @@ std::string loop_rows(const std::vector<Loop>& loops) {
 std::string known_rows(const std::vector<PoseGap>& gaps) {
   std::string rows;
   for (const PoseGap& gap : gaps) {
-    rows += fmt::format("<tr><td>{}<td>{:.0f}<td>{:.2f}\n", escaped_html(gap.sensor),
+    rows += fmt::format("<tr><td>{}<td>{:.0f}<td>{:.2f}\n", markup_text(gap.sensor),
                         gap.from_known_mm, gap.from_known_deg);
   }
   return rows;
@@ -52,11 +52,11 @@ std::string known_rows(const std::vector<PoseGap>& gaps) {
 
 std::string interference_row(const SensorCondition& sensor) {
   if (!sensor.interference.is_known) {
-    return "<tr><td>" + escaped_html(sensor.sensor) +
+    return "<tr><td>" + markup_text(sensor.sensor) +
            "<td colspan=\"5\" class=\"text\">it sees too little that stands still\n";
   }
   return fmt::format("<tr><td>{}<td>{:.2f} %<td>{:.2f} %<td>{:.2f}<td>{:.2f} %<td>{:.2f} %\n",
-                     escaped_html(sensor.sensor), 100 * sensor.interference.flickering,
+                     markup_text(sensor.sensor), 100 * sensor.interference.flickering,
                      100 * sensor.filtered.flickering, sensor.interference.noise_ratio,
                      100 * sensor.held, 100 * sensor.changed);
 }
@@ -79,25 +79,14 @@ struct Means {
 
 }  // namespace
 
-std::string escaped_html(const std::string& text) {
-  const std::map<char, const char*> entities{
-      {'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}};
-  std::string out;
-  for (const char c : text) {
-    const auto entity = entities.find(c);
-    out += entity == entities.end() ? std::string(1, c) : entity->second;
-  }
-  return out;
-}
-
 std::string placement_html(const alignment::AlignmentReport& alignment) {
   std::string rows;
   for (const alignment::SensorReport& sensor : alignment.sensors) {
-    rows += "<tr><td>" + escaped_html(sensor.id);
+    rows += "<tr><td>" + markup_text(sensor.id);
     rows += sensor.placed ? fmt::format("<td>{:.0f}<td>{:.2f}<td>{}", sensor.expected_error_mm,
                                         sensor.expected_error_deg, depth_scale_text(sensor))
                           : std::string("<td>not placed<td><td>");
-    rows += "<td class=\"text\">" + escaped_html(sensor.reason) + "\n";
+    rows += "<td class=\"text\">" + markup_text(sensor.reason) + "\n";
   }
   return table("Placement",
                "<th>Sensor<th>Expected error, mm<th>Degrees<th>Depth scale<th "
@@ -131,10 +120,10 @@ std::string bytes_html(const std::vector<SensorBytes>& bytes) {
   std::string head = "<th class=\"text\">Codec", rows;
   for (const char* what : {"depth, bytes a frame", "MB/s"}) {
     for (const SensorBytes& sensor : bytes)
-      head += "<th>" + escaped_html(sensor.sensor) + ": " + what;
+      head += "<th>" + markup_text(sensor.sensor) + ": " + what;
   }
   for (std::size_t i = 0; i < bytes.front().rows.size(); ++i) {
-    rows += "<tr><td class=\"text\">" + escaped_html(bytes.front().rows[i].mode);
+    rows += "<tr><td class=\"text\">" + markup_text(bytes.front().rows[i].mode);
     for (const SensorBytes& sensor : bytes)
       rows +=
           i < sensor.rows.size() ? fmt::format("<td>{:.0f}", sensor.rows[i].depth_bytes) : "<td>";
@@ -150,7 +139,7 @@ std::string left_out_html(const std::vector<LeftOutPicture>& pictures) {
   for (const LeftOutPicture& picture : pictures) by_sensor[picture.sensor].add(picture);
   std::string rows;
   for (const auto& [sensor, means] : by_sensor) {
-    rows += fmt::format("<tr><td>{}<td>{:.0f} %", escaped_html(sensor),
+    rows += fmt::format("<tr><td>{}<td>{:.0f} %", markup_text(sensor),
                         100 * means.covered / means.pictures);
     rows += means.judged == 0
                 ? "<td><td><td>\n"

@@ -10,8 +10,6 @@
 
 namespace roomcast::bench {
 
-[[nodiscard]] std::string escaped_html(const std::string& text);
-
 [[nodiscard]] std::string placement_html(const alignment::AlignmentReport& alignment);
 [[nodiscard]] std::string judgement_html(const RigJudgement& judgement);
 [[nodiscard]] std::string conditions_html(const std::vector<SensorCondition>& conditions);

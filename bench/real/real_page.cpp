@@ -10,6 +10,7 @@
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/io/image_file.h"
 #include "roomcast/io/new_folder.h"
+#include "roomcast/core/markup_text.h"
 
 namespace roomcast::bench {
 namespace {
@@ -35,7 +36,7 @@ constexpr const char* kHead =
 
 std::string caption(const LeftOutPicture& picture) {
   const std::string shown =
-      fmt::format("{}, frame {}: the others show {:.0f} % of it", escaped_html(picture.sensor),
+      fmt::format("{}, frame {}: the others show {:.0f} % of it", markup_text(picture.sensor),
                   picture.frame, 100 * picture.covered);
   if (std::isnan(picture.psnr_db)) return shown + ".";
   return shown + fmt::format("; there PSNR {:.1f} dB, SSIM {:.2f}, depth wrong in {:.1f} %.",
@@ -80,12 +81,12 @@ Status write_page(const std::vector<RealReport>& reports, const std::filesystem:
   std::string html = kHead;
   for (std::size_t rig = 0; rig < reports.size(); ++rig) {
     const RealReport& report = reports[rig];
-    html += "<h2>" + escaped_html(report.rig) + "</h2><p class=\"quiet\">" +
-            escaped_html(report.source) + "</p>\n" + placement_html(report.alignment) +
+    html += "<h2>" + markup_text(report.rig) + "</h2><p class=\"quiet\">" +
+            markup_text(report.source) + "</p>\n" + placement_html(report.alignment) +
             judgement_html(report.judgement) + conditions_html(report.conditions) +
             bytes_html(report.bytes) + left_out_html(report.left_out);
     if (!report.not_drawn.empty())
-      html += "<p>Nothing was drawn: " + escaped_html(report.not_drawn) + "</p>\n";
+      html += "<p>Nothing was drawn: " + markup_text(report.not_drawn) + "</p>\n";
     auto status = write_figures(report, rig, folder, html);
     if (!status) return status;
   }

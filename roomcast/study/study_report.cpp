@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "roomcast/core/axis_step.h"
 #include "roomcast/core/csv_field.h"
+#include "roomcast/core/markup_text.h"
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/io/new_folder.h"
 
@@ -21,43 +23,11 @@ namespace fs = std::filesystem;
 constexpr double kWidth = 640, kNames = 150, kRight = 20, kTop = 14, kRow = 46, kAxis = 40;
 constexpr int kTicks = 5;
 
-/// Text within HTML and SVG.
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
 std::vector<double> values_of(const Measure& measure, const std::string& condition) {
   std::vector<double> values;
   if (const auto found = measure.values.find(condition); found != measure.values.end())
     for (const auto& [participant, value] : found->second) values.push_back(value);
   return values;
-}
-
-/// A step of 1, 2 or 5 times a power of ten, for about kTicks ticks.
-double tick_step(double span) {
-  const double rough = span / kTicks, power = std::pow(10, std::floor(std::log10(rough)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= rough) return factor * power;
-  return 10 * power;
 }
 
 struct Axis {
@@ -83,7 +53,7 @@ Axis axis_of(const Measure& measure, const std::vector<std::string>& conditions)
     if (least != 0) least -= 0.5;
     most += 0.5;
   }
-  const double step = tick_step(most - least);
+  const double step = axis_step(most - least, kTicks);
   return {std::floor(least / step) * step, std::ceil(most / step) * step, step};
 }
 
@@ -99,14 +69,14 @@ std::string ticks_svg(const Axis& axis, double bottom, const std::string& unit) 
   }
   if (!unit.empty())
     svg += fmt::format(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="end">{}</text>)",
-                       kWidth - kRight, bottom + 33, escaped(unit));
+                       kWidth - kRight, bottom + 33, markup_text(unit));
   return svg;
 }
 
 std::string row_svg(const std::vector<double>& values, const std::string& name, double y,
                     const Axis& axis) {
   std::string svg = fmt::format(R"(<text x="{:.0f}" y="{:.1f}" text-anchor="end">{}</text>)",
-                                kNames - 14, y + 5, escaped(name));
+                                kNames - 14, y + 5, markup_text(name));
   if (values.empty()) return svg;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double aside = (static_cast<double>(i * 7 % 5) - 2) * 3;  // so that equal ones are seen
@@ -145,7 +115,7 @@ std::string table_html(const Measure& measure, const std::vector<std::string>& c
       "interval</thead>\n";
   for (const std::string& condition : conditions) {
     const Summary s = summary_of(values_of(measure, condition));
-    html += fmt::format("<tr><th>{}<td>{}", escaped(condition), s.count);
+    html += fmt::format("<tr><th>{}<td>{}", markup_text(condition), s.count);
     if (s.count == 0) {
       html += "<td>–<td>–<td>–\n";
     } else if (s.count == 1) {
@@ -165,8 +135,8 @@ std::string comparisons_html(const std::vector<ComparisonSummary>& comparisons) 
       "pictures cannot be told apart.</p>\n<table><thead><tr><th>comparison<th>answers<th>"
       "photograph chosen<th>share<th>95 % interval (Wilson)</thead>\n";
   for (const auto& [name, answers, correct, low, high] : comparisons)
-    html += fmt::format("<tr><th>{}<td>{}<td>{}<td>{:.0f} %<td>{:.0f} to {:.0f} %\n", escaped(name),
-                        answers, correct,
+    html += fmt::format("<tr><th>{}<td>{}<td>{}<td>{:.0f} %<td>{:.0f} to {:.0f} %\n",
+                        markup_text(name), answers, correct,
                         100.0 * static_cast<double>(correct) / static_cast<double>(answers),
                         100 * low, 100 * high);
   return html + "</table>\n";
@@ -175,11 +145,11 @@ std::string comparisons_html(const std::vector<ComparisonSummary>& comparisons) 
 std::string report_html(const ConditionSummary& summary) {
   const std::string people =
       fmt::format("{} participant{}", summary.participants, summary.participants == 1 ? "" : "s");
-  std::string html = fmt::format(fmt::runtime(kHead), escaped(summary.title), people);
+  std::string html = fmt::format(fmt::runtime(kHead), markup_text(summary.title), people);
   for (const Measure& measure : summary.measures) {
-    html += fmt::format("<h2>{}{}</h2>\n<p>{}</p>\n", escaped(measure.title),
-                        measure.unit.empty() ? "" : ", " + escaped(measure.unit),
-                        escaped(measure.name));
+    html += fmt::format("<h2>{}{}</h2>\n<p>{}</p>\n", markup_text(measure.title),
+                        measure.unit.empty() ? "" : ", " + markup_text(measure.unit),
+                        markup_text(measure.name));
     html +=
         figure_svg(measure, summary.conditions) + "\n" + table_html(measure, summary.conditions);
   }
@@ -210,7 +180,7 @@ std::string figure_svg(const Measure& measure, const std::vector<std::string>& c
                     kTop + kRow * (static_cast<double>(i) + 0.5), axis);
   return fmt::format(
       R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}" height="{1}" font-family="sans-serif" font-size="13" role="img" aria-label="{2}">{3}</svg>)",
-      kWidth, bottom + kAxis, escaped(measure.title), rows);
+      kWidth, bottom + kAxis, markup_text(measure.title), rows);
 }
 
 Status write_report(const ConditionSummary& summary, const fs::path& out) {

@@ -8,34 +8,18 @@
 
 #include <fmt/format.h>
 
+#include "roomcast/core/axis_step.h"
+#include "roomcast/core/markup_text.h"
+
 namespace roomcast::bench {
 namespace {
 
 constexpr double kPanelWidth = 420, kPanelHeight = 330, kPanelLeft = 46, kPanelTop = 62;
+constexpr int kValueSteps = 5;
 constexpr double kPanelBottom = 44, kPanelGap = 26, kLegendRow = 20;
 // Dark enough on white, and told apart by people who see colours differently (Okabe & Ito 2008).
 constexpr std::array kCurveColors{"#0072b2", "#56b4e9", "#d55e00", "#009e73", "#cc79a7",
                                   "#8a6d00", "#222222", "#9467bd", "#7f7f7f"};
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 struct Range {
   double low = 0, high = 0;
@@ -81,12 +65,7 @@ std::vector<double> steps_of_ten(const Range& range) {
 }
 
 std::vector<double> even_steps(const Range& range) {
-  const double rough = (range.high - range.low) / 5;
-  const double power = std::pow(10, std::floor(std::log10(rough)));
-  double step = 10 * power;
-  for (const double factor : {5.0, 2.0, 1.0}) {
-    if (factor * power >= rough) step = factor * power;
-  }
+  const double step = axis_step(range.high - range.low, kValueSteps);
   std::vector<double> steps;
   for (double at = std::ceil(range.low / step) * step; at <= range.high; at += step)
     steps.push_back(std::abs(at) < 1e-9 * step ? 0 : at);
@@ -106,8 +85,9 @@ struct PanelPlace {
 };
 
 std::string panel_axes(const RatePanel& panel, const PanelPlace& at) {
-  std::string svg = fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" font-weight=\"600\">{}, {}</text>",
-                                at.left, kPanelTop - 12, escaped(panel.title), escaped(panel.unit));
+  std::string svg =
+      fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" font-weight=\"600\">{}, {}</text>", at.left,
+                  kPanelTop - 12, markup_text(panel.title), markup_text(panel.unit));
   const double bottom = kPanelTop + kPanelHeight;
   for (const double mbit : steps_of_ten(at.rates)) {
     svg += fmt::format(
@@ -160,7 +140,7 @@ std::string legend(const std::vector<std::string>& names) {
     svg += fmt::format(
         "<circle cx=\"{0:.0f}\" cy=\"{1:.0f}\" r=\"4.5\" fill=\"{2}\"/><text x=\"{3:.0f}\" "
         "y=\"{4:.0f}\">{5}</text>",
-        x, kLegendRow - 4, color, x + 10, kLegendRow, escaped(name));
+        x, kLegendRow - 4, color, x + 10, kLegendRow, markup_text(name));
     x += 30 + 7.2 * static_cast<double>(name.size());
   }
   return svg;
@@ -214,7 +194,7 @@ std::string rate_chart(const std::vector<RatePanel>& panels, const std::string& 
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
       "font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\" role=\"img\" "
       "aria-label=\"{2}\">\n<rect width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"#fff\"/>\n",
-      width, height, escaped(caption));
+      width, height, markup_text(caption));
   const std::vector<std::string> names = names_of(panels);
   svg += legend(names);
   const Range rates = rates_of(panels);
@@ -225,7 +205,7 @@ std::string rate_chart(const std::vector<RatePanel>& panels, const std::string& 
       svg += curve_line(curve, at, color_of(names, curve.name)) + "\n";
   }
   return svg + fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" fill=\"#555\">{}</text>\n</svg>\n",
-                           kPanelLeft, height - 14, escaped(caption));
+                           kPanelLeft, height - 14, markup_text(caption));
 }
 
 }  // namespace roomcast::bench
