@@ -3,17 +3,20 @@
 // the test requests. Threading: lives on the thread that runs `io`.
 #pragma once
 
+#include <chrono>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <boost/asio/io_context.hpp>
 #include <gtest/gtest.h>
 
 #include "roomcast/client/framed_control.h"
+#include "roomcast/core/clock.h"
 #include "roomcast/net/http_server.h"
 #include "roomcast/wire/audio_header.h"
 #include "roomcast/wire/control.h"
@@ -21,6 +24,15 @@
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::client {
+
+/// Asks again and again, up to 10 s.
+template <class Condition>
+[[nodiscard]] bool wait_until_true(Condition is_true) {
+  using namespace std::chrono_literals;
+  const HostTime give_up = SteadyClock().now() + 10s;
+  while (!is_true() && SteadyClock().now() < give_up) std::this_thread::sleep_for(5ms);
+  return is_true();
+}
 
 class FakeHub {
  public:

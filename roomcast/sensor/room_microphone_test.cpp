@@ -65,12 +65,6 @@ class RoomMicrophoneTest : public testing::Test {
     network.run([&] { voices = hub->voices; });
     return voices;
   }
-  template <class Condition>
-  bool wait_until_true(Condition is_true) {
-    const HostTime give_up = SteadyClock().now() + 10s;
-    while (!is_true() && SteadyClock().now() < give_up) std::this_thread::sleep_for(5ms);
-    return is_true();
-  }
   void say_frames_are(bool wanted) {
     network.run([&] {
       wire::pb::Control demand;
@@ -89,19 +83,19 @@ class RoomMicrophoneTest : public testing::Test {
 
 TEST_F(RoomMicrophoneTest, the_hub_hears_it_and_that_it_pauses_while_nobody_is_there) {
   join(true);
-  ASSERT_TRUE(wait_until_true([this] { return heard().size() > 3; }));
+  ASSERT_TRUE(client::wait_until_true([this] { return heard().size() > 3; }));
   EXPECT_NEAR(microphone->stats().loudness, 0.25, 1e-6);
   say_frames_are(false);
-  ASSERT_TRUE(wait_until_true([this] { return heard().back().ends; }));
+  ASSERT_TRUE(client::wait_until_true([this] { return heard().back().ends; }));
   const std::size_t until_then = heard().size();
   say_frames_are(true);
-  ASSERT_TRUE(wait_until_true([&] { return heard().size() > until_then; }));
+  ASSERT_TRUE(client::wait_until_true([&] { return heard().size() > until_then; }));
   EXPECT_EQ(heard()[until_then].seq, until_then) << "pauses are not counted";
 }
 
 TEST_F(RoomMicrophoneTest, a_room_that_forbids_it_is_told_of_once_and_hears_nothing) {
   join(false);
-  ASSERT_TRUE(wait_until_true([this] { return logged > 0; }));
+  ASSERT_TRUE(client::wait_until_true([this] { return logged > 0; }));
   std::this_thread::sleep_for(100ms);  // nothing more happens
   EXPECT_TRUE(heard().empty());
   EXPECT_EQ(logged, 1);
@@ -110,13 +104,13 @@ TEST_F(RoomMicrophoneTest, a_room_that_forbids_it_is_told_of_once_and_hears_noth
 
 TEST_F(RoomMicrophoneTest, a_device_that_goes_away_is_heard_again_when_it_is_back) {
   join(true);
-  ASSERT_TRUE(wait_until_true([this] { return !heard().empty(); }));
+  ASSERT_TRUE(client::wait_until_true([this] { return !heard().empty(); }));
   is_plugged = false;
-  ASSERT_TRUE(wait_until_true([this] { return !microphone->stats().is_connected; }));
-  ASSERT_TRUE(wait_until_true([this] { return heard().back().ends; }));
+  ASSERT_TRUE(client::wait_until_true([this] { return !microphone->stats().is_connected; }));
+  ASSERT_TRUE(client::wait_until_true([this] { return heard().back().ends; }));
   const std::size_t until_then = heard().size();
   is_plugged = true;
-  EXPECT_TRUE(wait_until_true([&] { return heard().size() > until_then; }));
+  EXPECT_TRUE(client::wait_until_true([&] { return heard().size() > until_then; }));
   EXPECT_TRUE(microphone->stats().is_connected);
 }
 

@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 
 import { writeSmallRig } from '../network/small_rig.mjs';
+import { writeWav } from '../wav_file.mjs';
 import { Program, assertFailed, run, scratchFolder, startHub } from './program.mjs';
 
 const cleanups = [];
@@ -21,22 +22,9 @@ let tone;
 
 /** One channel of 16 bits, as loud at each sample as `loudness` says. */
 function writeTone(path, loudness = () => 12_000) {
-  const samples = rate_hz; // a second, a whole number of periods
-  const wav = Buffer.alloc(44 + 2 * samples);
-  wav.write('RIFF', 0);
-  wav.writeUInt32LE(36 + 2 * samples, 4);
-  wav.write('WAVEfmt ', 8);
-  wav.writeUInt32LE(16, 16);
-  wav.writeUInt16LE(1, 20); // PCM
-  wav.writeUInt16LE(1, 22); // channels
-  wav.writeUInt32LE(rate_hz, 24);
-  wav.writeUInt32LE(2 * rate_hz, 28);
-  wav.writeUInt16LE(2, 32);
-  wav.writeUInt16LE(16, 34);
-  wav.write('data', 36);
-  wav.writeUInt32LE(2 * samples, 40);
-  for (let i = 0; i < samples; ++i) wav.writeInt16LE(Math.round(loudness(i) * Math.sin((2 * Math.PI * tone_hz * i) / rate_hz)), 44 + 2 * i);
-  writeFileSync(path, wav);
+  const length = rate_hz; // a second, a whole number of periods
+  const samples = Array.from({ length }, (_, i) => loudness(i) * Math.sin((2 * Math.PI * tone_hz * i) / rate_hz));
+  writeWav(path, samples, rate_hz);
 }
 
 /** Of a sine of this frequency in a WAV file that roomcast wrote, in the middle second of one channel. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A chirp as the sound of a fake microphone, and where it is in recorded samples.
-import { writeFileSync } from 'node:fs';
+import { writeWav } from '../wav_file.mjs';
 
 export const rate_hz = 48_000;
 const from_hz = 400;
@@ -19,22 +19,9 @@ const chirp = Float32Array.from({ length }, (_, i) => {
 
 /** A WAV file, 16 bits, one channel: silence but for one chirp. */
 export function writeChirp(path) {
-  const samples = period_s * rate_hz;
-  const wav = Buffer.alloc(44 + 2 * samples);
-  wav.write('RIFF', 0);
-  wav.writeUInt32LE(36 + 2 * samples, 4);
-  wav.write('WAVEfmt ', 8);
-  wav.writeUInt32LE(16, 16);
-  wav.writeUInt16LE(1, 20); // PCM
-  wav.writeUInt16LE(1, 22); // channels
-  wav.writeUInt32LE(rate_hz, 24);
-  wav.writeUInt32LE(2 * rate_hz, 28);
-  wav.writeUInt16LE(2, 32);
-  wav.writeUInt16LE(16, 34);
-  wav.write('data', 36);
-  wav.writeUInt32LE(2 * samples, 40);
-  chirp.forEach((value, i) => wav.writeInt16LE(Math.round(loudness * 32767 * value), 44 + 2 * (begin + i)));
-  writeFileSync(path, wav);
+  const samples = new Float32Array(period_s * rate_hz);
+  samples.set(chirp.map((value) => loudness * 32767 * value), begin);
+  writeWav(path, samples, rate_hz);
 }
 
 const stride = 4;

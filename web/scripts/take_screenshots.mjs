@@ -2,16 +2,15 @@
 // npm run screenshots [-- desktop phone headset console]: the pictures of the page in docs/images, of a recording of a
 // simulated room in which nobody moves. Drawn in software at the best quality, so it takes some minutes.
 import { mkdtempSync, rmSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { openPage, startBrowser } from '../../tests/e2e/browser.mjs';
+import { wearHeadsets } from '../../tests/e2e/headset_device.mjs';
 import { adminsToken, requireBuilt, run, startHub, startSensor } from '../../tests/e2e/programs.mjs';
 import { stateOf, until, untilAllShown } from '../../tests/e2e/waiting.mjs';
 
 const images = fileURLToPath(new URL('../../docs/images/', import.meta.url));
-const iwer = createRequire(import.meta.url).resolve('iwer/build/iwer.min.js');
 const sensors = 3;
 const view = 'quality=best&name=Ada&at=0.3,1.7,2.7&look=0,0.8,-1';
 const enoughSets = 14; // the background is remembered after eight
@@ -68,8 +67,8 @@ async function headset(hub) {
       context,
       `${hub.page}?panel=0&mode=points&name=Grace&at=-0.9,1.6,-0.3&look=0.6,1.5,2.6`,
     );
-    await context.addInitScript({ path: iwer });
-    await context.addInitScript({ content: plugIn });
+    await wearHeadsets(context);
+    await context.addInitScript({ content: pose });
     const page = await openPage(context, `${hub.page}?${view}&panel=1`);
     await settled(page);
     await page.getByRole('button', { name: 'Enter VR' }).click();
@@ -99,15 +98,8 @@ async function consoleTabs(hub, token) {
   });
 }
 
-/** As in tests/e2e/headset.test.mjs. */
-const plugIn = `
-  window.device = new IWER.XRDevice(IWER.metaQuest3);
-  window.device.installRuntime({ forceInstall: true });
-  const offset = XRReferenceSpace.prototype.getOffsetReferenceSpace;
-  XRReferenceSpace.prototype.getOffsetReferenceSpace = function (transform) {
-    return offset.call(this, transform.matrix);
-  };
-  window.device.stereoEnabled = true;
+/** Where the wearer's head and hands are: they are in the picture. */
+const pose = `
   window.device.position.set(0, 1.65, 0);
   window.device.quaternion.set(-0.12, 0, 0, 0.993);
   window.device.controllers.right.position.set(0.22, 1.35, -0.42);

@@ -50,12 +50,6 @@ class DesktopVoiceTest : public testing::Test {
     network.run([&] { voices = hub->voices; });
     return voices;
   }
-  template <class Condition>
-  bool wait_until_true(Condition is_true) {
-    const HostTime give_up = SteadyClock().now() + 10s;
-    while (!is_true() && SteadyClock().now() < give_up) std::this_thread::sleep_for(5ms);
-    return is_true();
-  }
   /// 20 ms of a tone by somebody else, as the hub forwards it.
   void speak(std::uint32_t seq) {
     std::array<float, voice::kPacketSamples> samples{};
@@ -86,11 +80,11 @@ TEST_F(DesktopVoiceTest,
   std::this_thread::sleep_for(100ms);  // nothing happens
   EXPECT_TRUE(said().empty());
   change([](VoiceSettings& s) { s.microphone_on = s.is_pushed = true; });
-  ASSERT_TRUE(wait_until_true([this] { return said().size() > 5; }));
+  ASSERT_TRUE(client::wait_until_true([this] { return said().size() > 5; }));
   EXPECT_TRUE(voice->facts().is_sending);
   change([](VoiceSettings& s) { s.is_pushed = false; });
-  ASSERT_TRUE(wait_until_true([this] { return said().back().ends; }));
-  EXPECT_TRUE(wait_until_true([this] { return !voice->facts().is_sending; }));
+  ASSERT_TRUE(client::wait_until_true([this] { return said().back().ends; }));
+  EXPECT_TRUE(client::wait_until_true([this] { return !voice->facts().is_sending; }));
 }
 
 TEST_F(DesktopVoiceTest, what_others_say_is_played) {
@@ -128,17 +122,19 @@ TEST_F(DesktopVoiceTest, who_does_not_want_to_hear_plays_silence) {
 TEST_F(DesktopVoiceTest, what_is_in_the_way_is_said) {
   settings.microphone_on = settings.is_pushed = true;
   join(false);
-  EXPECT_TRUE(wait_until_true(
+  EXPECT_TRUE(client::wait_until_true(
       [this] { return voice->facts().microphone_problem == "this room does not let you speak"; }));
   EXPECT_TRUE(said().empty());
   change([](VoiceSettings& s) { s.microphone = "/none/at/all.wav"; });
-  EXPECT_TRUE(wait_until_true([this] {
+  EXPECT_TRUE(client::wait_until_true([this] {
     return voice->facts().microphone_problem.find("/none/at/all.wav") != std::string::npos;
   }));
   change([](VoiceSettings& s) { s.loudspeaker = "there is no such device"; });
-  EXPECT_TRUE(wait_until_true([this] { return !voice->facts().loudspeaker_problem.empty(); }));
+  EXPECT_TRUE(
+      client::wait_until_true([this] { return !voice->facts().loudspeaker_problem.empty(); }));
   change([](VoiceSettings& s) { s.microphone_on = false; });
-  EXPECT_TRUE(wait_until_true([this] { return voice->facts().microphone_problem.empty(); }));
+  EXPECT_TRUE(
+      client::wait_until_true([this] { return voice->facts().microphone_problem.empty(); }));
 }
 
 }  // namespace
