@@ -15,10 +15,10 @@
 
 namespace roomcast::bench {
 
-/// What viewers tell of their heads, ten times a second.
+/// Viewers send the pose of their heads ten times a second, or not at all.
 enum class Heads {
   kNotTold,
-  kTold,      // but not how wide they see, so that they get all frames
+  kTold,      // without the angle of view, so that they get all frames
   kElsewhere  // they look where no sensor sees anything, and turn
 };
 

@@ -33,8 +33,8 @@ class Protocol {
   /// `index` distinguishes several publishers.
   [[nodiscard]] virtual std::string publisher_greeting(int index) const = 0;
   [[nodiscard]] virtual std::unique_ptr<MessageCounter> make_counter() const = 0;
-  /// What viewer number `viewer` sends of its head for the `step`th time; `tells_angle`: also how
-  /// wide it sees. Nothing in protocols without heads.
+  /// The pose message number `step` of viewer number `viewer`; with `tells_angle`, it contains the
+  /// angle of view. Empty in protocols without heads.
   [[nodiscard]] virtual std::string head_of(int /*viewer*/, int /*step*/,
                                             bool /*tells_angle*/) const {
     return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is heard in a room, and from where: a person, or a sensor's microphone (docs/spec/wire.md
+// A speaker in a room, and the place of the sound: a person, or a sensor's microphone (docs/spec/wire.md
 // section 6). No state.
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // RoomEvents: what happened in a room lately, for those who run it: who came and went, who was
 // refused and why, what an admin changed. Bounded: the oldest are forgotten, and equal refusals
-// count as one, so that who knocks again and again hides nothing. Single-threaded.
+// count as one, so that a client that tries again and again hides nothing. Single-threaded.
 #pragma once
 
 #include <cstdint>
