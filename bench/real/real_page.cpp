@@ -7,10 +7,10 @@
 
 #include "bench/real/page_parts.h"
 #include "bench/real/real_bench.h"
+#include "roomcast/core/markup_text.h"
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/io/image_file.h"
 #include "roomcast/io/new_folder.h"
-#include "roomcast/core/markup_text.h"
 
 namespace roomcast::bench {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A speaker in a room, and the place of the sound: a person, or a sensor's microphone (docs/spec/wire.md
-// section 6). No state.
+// A speaker in a room, and the place of the sound: a person, or a sensor's microphone
+// (docs/spec/wire.md section 6). No state.
 #pragma once
 
 #include <optional>
