@@ -91,6 +91,12 @@ describe('the room in a headset', () => {
     await untilHeadset('a select', ({ selects }) => selects === 1);
     const moved = await untilHeadset('a new place', ({ head }) => distance(place(head), place(turned.head)) > 0.3);
     assert.ok(Math.abs(moved.head.y - turned.head.y) < 0.02, 'on the same floor');
+    assert.equal(moved.narrowness, 0);
+
+    await page.evaluate(() => window.device.controllers.left.updateAxes('thumbstick', 0, -1));
+    await untilHeadset('a narrow view while walking', ({ narrowness }) => narrowness > 0.5);
+    await page.evaluate(() => window.device.controllers.left.updateAxes('thumbstick', 0, 0));
+    await untilHeadset('the whole view again', ({ narrowness }) => narrowness === 0);
   });
 
   test('hands without controllers are drawn joint by joint', slow, async () => {

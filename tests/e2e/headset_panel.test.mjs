@@ -81,6 +81,15 @@ describe('in a headset', () => {
     await untilPanel(page, 'he is heard', has('Bo'));
     await other.close();
     await untilPanel(page, 'nobody is left', has('Nobody else is here.'));
+    const head_m = () => page.evaluate(() => window.roomcast.headset().views[0].position[1]);
+    const rise = (height_m) => page.evaluate((to_m) => window.device.position.set(0, to_m, 0), height_m);
+    await rise(1.1);
+    await until('they have sat down', head_m, (height_m) => Math.abs(height_m - 1.1) < 0.02);
+    await press(page, 'I sit');
+    await until('who sits is lifted', head_m, (height_m) => Math.abs(height_m - 1.6) < 0.02);
+    await press(page, 'I sit');
+    await until('and put down again', head_m, (height_m) => Math.abs(height_m - 1.1) < 0.02);
+    await rise(1.7);
     await press(page, 'Close');
     await untilPanel(page, 'it is closed', (panel) => panel.board === null && panel.tile !== null);
 

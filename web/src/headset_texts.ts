@@ -6,6 +6,8 @@ export const headsetPanelTexts = {
   close: 'Close',
   leave: 'Leave the headset',
   start: 'Back to the start',
+  narrow: 'Narrow view while walking',
+  seated: 'I sit',
   microphone: (isOn: boolean) => (isOn ? 'Microphone: on' : 'Microphone: off'),
   people: 'Here, and heard by you:',
   alone: 'Nobody else is here.',

@@ -3,12 +3,14 @@
 import type { Panel } from './panel/panel';
 import type { PosePublisher } from './pose_publisher';
 import type { RoomState } from './room_state';
+import { keptIn } from './storage';
 import { startDistance_m, type Standpoint } from './standpoint';
 import { headsetPace, screenPace } from './view/quality_ladder';
 import type { Stage } from './view/stage';
 import { viewFromBody } from './view/view_state';
 import type { Sound } from './sound';
 import type { SheetHolder } from './xr/board_sheet';
+import { keepComfort, keptComfort } from './xr/comfort';
 import { Headset } from './xr/headset';
 import type { HeadsetMode } from './xr/offer';
 
@@ -24,6 +26,9 @@ export interface HeadsetPage {
   readonly hubAddress: string;
 }
 
+const { store } = keptIn(() => localStorage);
+const comfort = keptComfort(store);
+
 export function headsetOf(stage: Stage, page: () => HeadsetPage): Headset {
   const headset = new Headset(stage.renderer.xr, {
     began: (mode) => {
@@ -37,7 +42,7 @@ export function headsetOf(stage: Stage, page: () => HeadsetPage): Headset {
       page().posePublisher.moved(body);
     },
     ended: () => headsetEnded(page()),
-  });
+  }, comfort);
   stage.room.scene.add(headset.root);
   return headset;
 }
@@ -54,7 +59,8 @@ async function showPanel({ headset, state, sound, sheets, standpoint, hubAddress
   if (headset.panel) return;
   const { HeadsetPanel } = await import('./xr/headset_panel');
   const panel = new HeadsetPanel({
-    ...{ state, sound, sheets, hubAddress },
+    ...{ state, sound, sheets, hubAddress, comfort },
+    comfortChanged: () => keepComfort(store, comfort),
     goToStart: () => headset.goTo(standpoint.startView.position),
     leave: () => void headset.leave(),
   });

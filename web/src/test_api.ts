@@ -105,7 +105,8 @@ export class TestApi {
   }
 
   /**
-   * An active headset: the eyes' positions in the last picture, its direction, tracked hands, number of selects so far.
+   * An active headset: the eyes' positions in the last picture, its direction, tracked hands, number of selects so far, how narrow the
+   * view is.
    */
   headset() {
     const { headset, state, stage } = this.parts;
@@ -119,6 +120,7 @@ export class TestApi {
       drawnHands: headset.drawnHands,
       passthrough: stage.room.isPassthrough,
       selects: headset.selects,
+      narrowness: headset.narrowness,
       panel: headset.panel?.content ?? null,
     };
   }

@@ -5,10 +5,12 @@ import * as THREE from 'three';
 import type { Body, PlainPose } from '../stream/protocol';
 import { throwArc } from './arc';
 import { ArcView } from './arc_view';
+import { liftOf, narrowed, type Comfort } from './comfort';
 import { HandView } from './hand_view';
 import type { HeadsetMode } from './offer';
 import { movedTo, originOffset, turned, walked, yawOf, type StandingPlace } from './standing_place';
 import { Sticks, type Stick } from './sticks';
+import { ViewFrame } from './view_frame';
 
 const walkSpeed_mPerS = 1.4;
 const longestFrame_s = 0.1;
@@ -62,6 +64,11 @@ export class Headset {
   selects = 0; // triggers pulled and pinches made, in this session
   private readonly hands = [new HandView(), new HandView()] as const;
   private readonly arc = new ArcView();
+  private readonly frame = new ViewFrame();
+  private narrow = 0; // how narrow the view is, 0 to 1
+  private lift_m = 0; // of a seated wearer
+  private wasSeated = false;
+  private seesOwnRoom = false; // which stands still: nothing has to be hidden
   private sticks = new Sticks();
   private session: XRSession | undefined;
   private floor: XRReferenceSpace | undefined; // the wearer's physical floor
@@ -75,14 +82,20 @@ export class Headset {
   constructor(
     private readonly xr: THREE.WebXRManager,
     private readonly events: HeadsetEvents,
+    private readonly comfort: Comfort,
   ) {
-    this.root.add(this.arc.root, ...this.hands.map((hand) => hand.root));
+    this.root.add(this.frame.root, this.arc.root, ...this.hands.map((hand) => hand.root));
     this.root.visible = false;
   }
 
   /** The drawn shapes of the left and the right hand. */
   get drawnHands() {
     return this.hands.map((hand) => hand.shows);
+  }
+
+  /** How narrow the view is now, 0 to 1. */
+  get narrowness(): number {
+    return this.frame.root.visible ? this.narrow : 0;
   }
 
   get isOn(): boolean {
@@ -103,6 +116,9 @@ export class Headset {
     this.session = session;
     this.selects = 0;
     this.sticks = new Sticks();
+    this.narrow = this.lift_m = 0;
+    this.wasSeated = false;
+    this.seesOwnRoom = mode === 'immersive-ar';
     this.floor = this.xr.getReferenceSpace()!;
     this.standAt({ x: at.x, y: 0, z: at.z, yaw });
     this.root.visible = true;
@@ -128,7 +144,10 @@ export class Headset {
     this.lastFrame_ms = now_ms;
     const tracked = this.showHands(frame, space);
     this.showPanel(viewer.transform, tracked);
-    this.move(viewer.transform, tracked, seconds);
+    this.sit(viewer.transform);
+    const isMoved = this.move(viewer.transform, tracked, seconds);
+    this.narrow = narrowed(this.narrow, isMoved && this.comfort.narrowsView && !this.seesOwnRoom, seconds);
+    this.frame.show(this.narrow, viewer.transform);
     const [left, right] = tracked.map((pose) => pose && plain(pose));
     this.events.moved({ head: plain(viewer.transform), leftHand: left, rightHand: right });
   }
@@ -163,7 +182,17 @@ export class Headset {
     return found;
   }
 
-  private move(head: XRRigidTransform, hands: (XRRigidTransform | undefined)[], seconds: number): void {
+  /** Lifts who has said that he sits, from where his eyes are then; puts him down again when he stands. */
+  private sit({ position }: XRRigidTransform): void {
+    if (this.comfort.isSeated === this.wasSeated) return;
+    this.wasSeated = this.comfort.isSeated;
+    const eyes_m = position.y - this.place.y - this.lift_m;
+    this.lift_m = this.wasSeated ? liftOf(eyes_m) : 0;
+    this.standAt(this.place);
+  }
+
+  /** True while a stick walks the wearer smoothly. */
+  private move(head: XRRigidTransform, hands: (XRRigidTransform | undefined)[], seconds: number): boolean {
     const sticks = [...this.session!.inputSources].map((source) => ({
       side: source.handedness,
       stick: stickOf(source),
@@ -183,6 +212,7 @@ export class Headset {
     if (wishes.letsGo) this.letGo();
     if (this.teleports) this.standAt(movedTo(this.place, at, this.teleports));
     this.teleports = undefined;
+    return wishes.right !== 0 || wishes.forward !== 0;
   }
 
   private aim(hand: XRRigidTransform): void {
@@ -200,7 +230,7 @@ export class Headset {
 
   private standAt(place: StandingPlace): void {
     this.place = place;
-    const { position: p, orientation: o } = originOffset(place);
+    const { position: p, orientation: o } = originOffset({ ...place, y: place.y + this.lift_m });
     const offset = new XRRigidTransform({ x: p.x, y: p.y, z: p.z }, { x: o.x, y: o.y, z: o.z, w: o.w });
     this.xr.setReferenceSpace(this.floor!.getOffsetReferenceSpace(offset));
   }
@@ -210,6 +240,7 @@ export class Headset {
     this.views = [];
     this.root.visible = false;
     this.arc.hide();
+    this.frame.hide();
     this.events.ended();
   }
 }

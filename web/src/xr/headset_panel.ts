@@ -9,6 +9,7 @@ import type { RoomState } from '../room_state';
 import type { Sound } from '../sound';
 import { headsetPanelTexts as texts } from '../headset_texts';
 import { Board } from './board';
+import type { Comfort } from './comfort';
 import type { BoardButton, BoardSheet, SheetHolder } from './board_sheet';
 
 const board_m = { ahead: 1.4, below: 0.1 };
@@ -26,6 +27,8 @@ export interface HeadsetPanelParts {
   hubAddress: string;
   sound: Pick<Sound, 'toggle' | 'isOn' | 'isSilenced' | 'silence' | 'mayBeHeard'>;
   sheets: SheetHolder;
+  comfort: Comfort; // changed by the wearer
+  comfortChanged(): void;
   goToStart(): void;
   leave(): void;
 }
@@ -113,7 +116,7 @@ export class HeadsetPanel {
   }
 
   private menu(): BoardSheet {
-    const { state, sound } = this.parts;
+    const { state, sound, comfort } = this.parts;
     const others = (state.roster?.viewers ?? []).filter(({ id }) => id !== state.welcome?.viewerId);
     const people: BoardButton[] = others.slice(0, mostPeople).map((viewer) => {
       const isSilenced = sound.isSilenced(viewer.id);
@@ -126,16 +129,25 @@ export class HeadsetPanel {
       { id: 'leave', text: texts.leave },
       { id: 'close', text: texts.close },
     ];
+    const comforts: BoardButton[] = [
+      { id: 'narrow', text: texts.narrow, isOn: comfort.narrowsView },
+      { id: 'seated', text: texts.seated, isOn: comfort.isSeated },
+    ];
     return {
       title: state.welcome?.room ?? '',
       words: this.troubles,
-      rows: [{ text: others.length > 0 ? texts.people : texts.alone, buttons: people }, ...more.map((text) => ({ text, buttons: [] })), { buttons: own }],
+      rows: [{ text: others.length > 0 ? texts.people : texts.alone, buttons: people }, ...more.map((text) => ({ text, buttons: [] })), { buttons: comforts }, { buttons: own }],
       press: (id) => this.pressed(id),
     };
   }
 
   private pressed(id: string): void {
-    const { sound, goToStart, leave } = this.parts;
+    const { sound, comfort, goToStart, leave } = this.parts;
+    if (id === 'narrow' || id === 'seated') {
+      if (id === 'narrow') comfort.narrowsView = !comfort.narrowsView;
+      else comfort.isSeated = !comfort.isSeated;
+      return this.parts.comfortChanged();
+    }
     const person = /^person (\d+)$/.exec(id);
     if (person) {
       const viewer = Number(person[1]);
