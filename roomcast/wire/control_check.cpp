@@ -91,6 +91,14 @@ Status check_sensor_role(const pb::SensorRole& sensor) {
   return check_rigid(sensor.world_from_depth(), "world_from_depth");
 }
 
+Status check_viewer_role(const pb::ViewerRole& viewer) {
+  if (viewer.author_key().size() > kMaxAuthorKeyBytes)
+    return malformed("an author's key must have at most 64 bytes");
+  if (!viewer.plays().empty() && (viewer.records() || viewer.relays()))
+    return malformed("who plays a recording neither records nor relays the room");
+  return check_text(viewer.plays(), kMaxRecordingNameBytes, "the recording's name");
+}
+
 Status check_join(const pb::Join& join) {
   if (auto s = check_name(join.room(), "room"); !s) return s;
   if (auto s = check_name(join.name(), "client"); !s) return s;
@@ -99,13 +107,12 @@ Status check_join(const pb::Join& join) {
     return Error{ErrorCode::kTooLarge,
                  "a token must have at most " + std::to_string(kMaxTokenBytes) + " bytes"};
   }
-  if (join.viewer().author_key().size() > kMaxAuthorKeyBytes)
-    return malformed("an author's key must have at most 64 bytes");
   switch (join.role_case()) {
     case pb::Join::kSensor:
       if (join.name().empty()) return malformed("a sensor needs a name");
       return check_sensor_role(join.sensor());
     case pb::Join::kViewer:
+      return check_viewer_role(join.viewer());
     case pb::Join::kAligner:
       return {};
     case pb::Join::ROLE_NOT_SET:

@@ -331,5 +331,23 @@ TEST(ControlCheck, placements_and_bundles_with_senseless_factors_are_refused) {
   EXPECT_FALSE(check_control(bundle).ok());
 }
 
+TEST(ControlCheck, who_plays_a_recording_does_nothing_else) {
+  pb::Control control;
+  pb::ViewerRole& viewer = *control.mutable_join()->mutable_viewer();
+  viewer.set_plays(std::string(kMaxRecordingNameBytes, 'r'));
+  EXPECT_TRUE(check_control(control).ok());
+  viewer.set_records(true);
+  EXPECT_FALSE(check_control(control).ok());
+  viewer.set_records(false);
+  viewer.set_relays(true);
+  EXPECT_FALSE(check_control(control).ok());
+  viewer.set_relays(false);
+  for (const std::string& name :
+       {std::string(kMaxRecordingNameBytes + 1, 'r'), std::string("a\nb")}) {
+    viewer.set_plays(name);
+    EXPECT_FALSE(check_control(control).ok()) << name;
+  }
+}
+
 }  // namespace
 }  // namespace roomcast::wire

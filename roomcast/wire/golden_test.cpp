@@ -95,6 +95,9 @@ void add_voice_messages(std::vector<GoldenMessage>& messages) {
   messages.push_back(
       golden_control("control_join_hears", R"({"join":{"name":"Ada","viewer":{"hears":true}}})"));
   messages.push_back(golden_control(
+      "control_join_plays",
+      R"({"join":{"room":"lab","name":"Ada","viewer":{"hears":true,"plays":"monday"}}})"));
+  messages.push_back(golden_control(
       "control_welcome_may_speak",
       R"({"welcome":{"room":"lab","viewerId":9,"hubVersion":"0.1.0","maySpeak":true}})"));
   messages.push_back(

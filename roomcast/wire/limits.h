@@ -37,6 +37,7 @@ inline constexpr SendingLimits kMaxFromAligner{100, 400, 1e6, 4e6};    // placem
 
 // Contents of messages.
 inline constexpr std::size_t kMaxNameBytes = 64;
+inline constexpr std::size_t kMaxRecordingNameBytes = 120;
 inline constexpr std::size_t kMaxNoteBytes = 300;
 inline constexpr std::size_t kMaxTokenBytes = 1024;
 inline constexpr int kMaxOtherHubs = 16;

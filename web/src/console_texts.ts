@@ -71,6 +71,7 @@ export const consoleTexts = {
     reallySendAway: 'Send away now?',
     mute: 'Mute',
     you: ' (you)',
+    plays: (name: string, recording: string) => `${name} (plays ${recording})`,
     nobody: 'No viewers are here.',
   },
   access: {

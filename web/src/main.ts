@@ -67,7 +67,7 @@ class Page {
     room: () => this.state.welcome?.room ?? '',
     sensors: () => this.state.roster?.sensors.map(({ name }) => name) ?? [],
     sound: () => this.sound.ofRecording,
-    self: () => ({ name: ownName(this.options.name, browserStorage.store), head: this.body.head, token: this.access.token }),
+    self: () => ({ name: ownName(this.options.name, browserStorage.store), head: this.body.head, viewer: this.sound.fellow, token: this.access.token }),
     people: (viewers, poses) => this.joinedBy(viewers, poses),
     failed: () => this.breakDown(problemTexts.noPlayback),
   });
@@ -120,8 +120,7 @@ class Page {
       followChanged: () => this.panel.setFollowed(this.standpoint.follow.whom),
       guideEnded: () => this.link.guide(false),
     });
-    const { stage, state, standpoint } = this;
-    this.marking = new Marking(document.getElementById('tools')!, { stage, state, standpoint }, {
+    this.marking = new Marking(document.getElementById('tools')!, this, {
       leave: (mark) => this.link.mark(mark),
       remove: (ids) => this.link.removeMarks(ids),
       changed: () => this.places.show(),
@@ -137,8 +136,8 @@ class Page {
 
   private makeSound(): Sound {
     const heads = { own: () => this.body.head, of: (speaker: number) => this.state.placeOf(speaker) };
-    const connectHub = (port: MessagePort) => this.link.connectVoice(port);
-    return new Sound({ heads, store: browserStorage.store, connectHub }, { loaded: () => this.panel.showPeople() });
+    const parts = { heads, store: browserStorage.store, connectHub: (port: MessagePort) => this.link.connectVoice(port) };
+    return new Sound(parts, { loaded: () => this.panel.showPeople() });
   }
 
   private makeConsole(): RoomConsole {
@@ -204,8 +203,7 @@ class Page {
   }
 
   private forTests() {
-    const { playback } = this;
-    return { playback, setMode: (mode: DrawMode) => this.setMode(mode), marks: () => this.marking.list };
+    return { playback: this.playback, setMode: (mode: DrawMode) => this.setMode(mode), marks: () => this.marking.list };
   }
 
   /** The page for a participant of a study. */
@@ -255,6 +253,8 @@ class Page {
         return this.hearVoices(message.voices);
       case 'spoken':
         return this.sound.spoken();
+      case 'line':
+        return this.sound.connected(message.viewer, message.maySpeak);
       case 'status':
         return this.state.setStatus(message.status);
       case 'broken':

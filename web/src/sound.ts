@@ -5,6 +5,7 @@ import type { Voices } from './gen/control_pb';
 import { element, setText } from './panel/element';
 import type { RoomRoster } from './room_roster';
 import { voiceTexts as texts } from './texts';
+import { fellowOf } from './voice/fellow_speaker';
 import { hearingObstacle, soundSupport, speakingObstacle, type Rights } from './voice/obstacle';
 import { speakerOf } from './voice/sensor_speaker';
 import type { Voice, VoiceParts } from './voice/voice';
@@ -31,6 +32,9 @@ export class Sound {
   private hasFailed = false;
   private isRecorded = false; // what is said
   private wantsToHear = true;
+  private wantsRecording = true;
+  private isLive = true;
+  fellow = 0; // of a recording: the viewer's ID by which the others who play it know this voice; 0: they hear nothing
   private readonly silenced = new Set<number>(); // by the wearer of a headset; viewers
 
   constructor(
@@ -64,9 +68,17 @@ export class Sound {
     this.tellRights();
   }
 
+  /** Of a recording: to the others who play it, as a viewer of this ID; 0: there is no connection. */
+  connected(viewer: number, maySpeak: boolean): void {
+    this.isLive = false;
+    this.fellow = viewer;
+    this.welcomed(maySpeak);
+  }
+
   /** Who speaks and who is muted has changed. */
   voicesChanged({ muted }: Pick<Voices, 'muted'>, self: number | undefined): void {
-    const isMuted = self !== undefined && muted.includes(self);
+    const own = this.fellow > 0 ? fellowOf(this.fellow) : self;
+    const isMuted = own !== undefined && muted.includes(own);
     if (isMuted === this.rights.isMuted) return;
     this.rights = { ...this.rights, isMuted };
     this.tellRights();
@@ -79,7 +91,7 @@ export class Sound {
 
   follow({ viewers, sensors }: RoomRoster): void {
     this.voice?.follow([...viewers.map(({ id }) => id), ...sensors.map(({ id }) => speakerOf(id))]);
-    const isRecorded = viewers.some(({ recordsVoices }) => recordsVoices);
+    const isRecorded = this.isLive && viewers.some(({ recordsVoices }) => recordsVoices);
     if (isRecorded === this.isRecorded) return;
     this.isRecorded = isRecorded;
     this.refresh();
@@ -126,7 +138,10 @@ export class Sound {
 
   /** Of a recording that is played. */
   readonly ofRecording = {
-    hear: (wanted: boolean) => this.hearOthers(wanted),
+    hear: (wanted: boolean) => {
+      this.wantsRecording = wanted;
+      this.voice?.speakers.hearRecording(wanted);
+    },
     obstacle: () => hearingObstacle(this.support),
     awaitsGesture: () => this.voice?.awaitsGesture ?? false,
   };
@@ -158,6 +173,7 @@ export class Sound {
     this.root.append(this.controls.root);
     voice.setRights(this.rights);
     voice.hearOthers(this.wantsToHear);
+    voice.speakers.hearRecording(this.wantsRecording);
     this.silenced.forEach((viewer) => voice.speakers.setVolume(viewer, 0));
     this.events.loaded();
     return voice;
@@ -181,6 +197,7 @@ export class Sound {
     if (this.hasFailed) return texts.notLoaded;
     if (hearingObstacle(this.support)) return obstacle;
     if (!this.isHere) return voice?.isOn ? texts.notConnected : '';
+    if (!this.isLive && this.fellow === 0) return texts.alone;
     if (voice?.problem) return voice.problem;
     if (obstacle) return obstacle;
     if (voice?.awaitsGesture) return texts.awaitsGesture;

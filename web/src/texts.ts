@@ -128,6 +128,7 @@ export const voiceTexts = {
   sending: 'The others hear you.',
   waits: 'The others hear you when you speak.',
   recorded: 'This room is being recorded, with what is said.',
+  alone: 'You play this recording alone: nobody hears you.',
   notConnected: 'Nobody hears you while this page is not connected to the hub.',
   heldBack: 'The others hear you while you hold V or the button.',
   awaitsGesture: 'Click anywhere or press a key to hear the others: browsers ask for that.',

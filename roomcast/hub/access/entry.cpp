@@ -48,6 +48,8 @@ RequiredAccess required_of(const pb::Join& join, const RoomSettings& room) {
     case pb::Join::kSensor:
       return {room.send, TokenRole::kSensor, "send"};
     case pb::Join::kViewer:
+      if (!join.viewer().plays().empty())
+        return {AccessRule::kAdmin, TokenRole::kAdmin, "play recordings of"};
       if (join.viewer().relays()) return {room.view, TokenRole::kHub, "relay"};
       return {room.view, TokenRole::kViewer, "view"};
     default:

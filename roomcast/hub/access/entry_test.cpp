@@ -135,6 +135,16 @@ TEST_F(EntryTest, relaying_needs_a_hub_token_where_viewing_needs_a_viewer_token)
   EXPECT_EQ(fault(hub), pb::ERROR_UNSPECIFIED) << "as anyone may look there";
 }
 
+TEST_F(EntryTest, who_plays_recordings_is_an_admin) {
+  pb::Join player = viewer("open");
+  player.mutable_viewer()->set_plays("monday");
+  EXPECT_EQ(fault(player), pb::ERROR_UNAUTHENTICATED);
+  EXPECT_EQ(fault(player, claims("open", TokenRole::kViewer)), pb::ERROR_WRONG_ROLE);
+  rooms["open"].speak = AccessRule::kNobody;
+  const auto admitted = decide(player, claims("open", TokenRole::kAdmin));
+  EXPECT_FALSE(std::get<Entry>(admitted).may_speak) << "as the room's rules are";
+}
+
 TEST_F(EntryTest, an_admin_may_do_everything_in_its_room) {
   const Claims admin = claims("lab", TokenRole::kAdmin);
   EXPECT_EQ(fault(aligner("lab"), admin), pb::ERROR_UNSPECIFIED);

@@ -159,6 +159,7 @@ Json viewer_json(const ViewerStats& viewer, const std::string& address) {
                {"audio_packets_dropped", viewer.dropped_audio},
                {"shown_fps", viewer.shown_fps},
                {"latency_ms", viewer.latency_ms}};
+  if (!viewer.plays.empty()) json["plays"] = viewer.plays;
   if (!address.empty()) json["address"] = address;
   if (!viewer.token_id.empty()) json["token_id"] = viewer.token_id;
   return json;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <nlohmann/json.hpp>
 
@@ -53,7 +54,7 @@ bool read_playing(const Json& json, Playing& playing) {
 Result<WatcherState> read_watcher(const std::string& body) {
   const Error wrong = invalid_argument(
       R"(the body must be {"key": "...", "name": "...", "head": [x, y, z, qx, qy, qz, qw]} and may )"
-      R"(have "wants": {"position_s": 1, "paused": false, "speed": 1})");
+      R"(have "viewer": 1 and "wants": {"position_s": 1, "paused": false, "speed": 1})");
   const Json json = Json::parse(body, nullptr, false);
   if (!json.is_object()) return wrong;
   WatcherState watcher;
@@ -66,6 +67,9 @@ Result<WatcherState> read_watcher(const std::string& body) {
     } else if (field == "name" && value.is_string()) {
       watcher.name = value.get<std::string>();
       is_right = wire::check_name(watcher.name, "viewer").ok();
+    } else if (field == "viewer") {
+      is_right = value.is_number_unsigned() && value <= std::numeric_limits<std::uint32_t>::max();
+      if (is_right) watcher.viewer = value.get<std::uint32_t>();
     } else if (field == "head") {
       is_right = has_head = read_head(value, watcher.head);
     } else if (field == "leaves") {
@@ -82,8 +86,8 @@ Result<WatcherState> read_watcher(const std::string& body) {
 
 Json watch_party_json(const WatchParties::View& view) {
   Json people = Json::array();
-  for (const auto& [id, name, head] : view.others)
-    people.push_back({{"id", id}, {"name", name}, {"head", head}});
+  for (const auto& [id, viewer, name, head] : view.others)
+    people.push_back({{"id", id}, {"viewer", viewer}, {"name", name}, {"head", head}});
   return {{"people", std::move(people)},
           {"change", view.change},
           {"by", view.by},

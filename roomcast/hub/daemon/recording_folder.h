@@ -23,13 +23,14 @@
 #include "roomcast/hub/daemon/retention.h"
 #include "roomcast/hub/runtime/kept_recordings.h"
 #include "roomcast/recording/room/recording_part.h"
+#include "roomcast/wire/limits.h"
 
 namespace roomcast::hub::daemon {
 
 class RecordingFolder final : public hub::KeptRecordings {
  public:
   static constexpr std::size_t kMaxListed = 1000;
-  static constexpr std::size_t kMaxNameBytes = 120;
+  static constexpr std::size_t kMaxNameBytes = wire::kMaxRecordingNameBytes;
 
   /// `is_running`: whether a file is being written just now. Called on the worker.
   RecordingFolder(std::filesystem::path folder,

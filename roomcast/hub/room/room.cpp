@@ -27,6 +27,7 @@ bool Room::may_nudge(ConnectionId from) const {
 }
 
 RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTime now) {
+  if (playback_.find(from) != nullptr) return control_of_player(from, message, now);
   RoomActions out;
   const auto viewer = viewers_.find(from);
   RoomSensor* const sensor = sensors_.find(from);
@@ -185,7 +186,7 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
     out = set_guide(id, false);
     forget_people(remote_presence_.forget(from));
     send_roster_when_due(now, out);
-  } else {
+  } else if (!playback_.remove(from)) {
     std::erase(aligners_, from);
     std::erase(backplane_aligners_, from);
     if (forget_people(remote_presence_.forget(from))) send_roster_when_due(now, out);
@@ -205,6 +206,7 @@ RoomActions Room::tick(RoomTime now) {
     out.push_back(SendControl{readers_of_poses(), *std::move(poses)});
   }
   send_voices(now, out);
+  playback_.send_voices(now, out);
   cull(now, out);
   if (roster_changed_ && now >= next_roster_) send_roster(now, out);
   update_demand(now, out);
@@ -221,6 +223,7 @@ std::optional<RoomTime> Room::next_tick() const {
   }
   consider(poses_.next());
   consider(voices_.next());
+  consider(playback_.next());
   consider(culling_.next());
   consider(demand_.next());
   if (roster_changed_) consider(next_roster_);
@@ -275,6 +278,7 @@ std::vector<ConnectionId> Room::connections() const {
   for (const RoomSensor& sensor : sensors_.all()) {
     if (sensor.connection) connections.push_back(*sensor.connection);
   }
+  for (const auto& [connection, player] : playback_.all()) connections.push_back(connection);
   return connections;
 }
 
@@ -336,6 +340,7 @@ RoomStats Room::stats() const {
                              .shown_fps = viewer.reported_stats.shown_fps(),
                              .latency_ms = viewer.reported_stats.latency_ms()});
   }
+  add_players_to(stats);
   std::ranges::sort(stats.viewers, {}, &ViewerStats::id);
   return stats;
 }

@@ -23,6 +23,7 @@
 #include "roomcast/hub/room/frame_synchronizer.h"
 #include "roomcast/hub/room/known_room.h"
 #include "roomcast/hub/room/mark_list.h"
+#include "roomcast/hub/room/playback_voices.h"
 #include "roomcast/hub/room/pose_relay.h"
 #include "roomcast/hub/room/remote_presence.h"
 #include "roomcast/hub/room/room_action.h"
@@ -124,6 +125,13 @@ class Room {
   void forget_newest_frames();
   void join_viewer(ConnectionId from, const wire::pb::Join& join, const Entry& entry, RoomTime now,
                    RoomActions& out);
+  void join_player(ConnectionId from, const wire::pb::Join& join, const Entry& entry, RoomTime now,
+                   RoomActions& out);
+  [[nodiscard]] RoomActions control_of_player(ConnectionId from, const wire::pb::Control& message,
+                                              RoomTime now);
+  void add_players_to(RoomStats& stats) const;
+  [[nodiscard]] bool is_full() const;
+  [[nodiscard]] RoomActions refuse_as_full(ConnectionId from, RoomTime now);
   void join_aligner(ConnectionId from, const Entry& entry, RoomTime now, RoomActions& out);
   [[nodiscard]] wire::pb::Control welcome_message(const Entry& entry) const;
   [[nodiscard]] bool is_watched() const;
@@ -155,6 +163,7 @@ class Room {
   [[nodiscard]] std::optional<ViewerId> speaker_at(ConnectionId from);
   [[nodiscard]] std::optional<Eigen::Vector3f> place_of(ViewerId speaker);
   [[nodiscard]] bool may_hear(const Viewer& viewer) const;
+  void mute_token(const std::string& token_id, bool muted);
   void change_recorded_voices(RoomTime now, RoomActions& out);
   void name_other_hubs(const wire::pb::Control& message, RoomActions& out);
   bool evict_for(const std::string& name);
@@ -188,6 +197,7 @@ class Room {
   RemotePresence remote_presence_;
   PoseRelay poses_;
   VoiceRelay voices_;
+  PlaybackVoices playback_;
   ViewCulling culling_;
   std::set<std::string> muted_tokens_;
   MarkList marks_;

@@ -44,8 +44,9 @@ struct RestartSensor {
   SensorId sensor;
 };
 
-/// kHub: a viewer that relays the room to viewers of its own.
-enum class Role { kSensor, kViewer, kHub, kAligner };
+/// kHub: a viewer that relays the room to viewers of its own. kPlayer: a viewer that plays a
+/// recording and gets no frames.
+enum class Role { kSensor, kViewer, kHub, kPlayer, kAligner };
 
 /// The connection was accepted in this role. From now on a sensor may send frames, and a viewer
 /// gets them.

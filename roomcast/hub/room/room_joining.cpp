@@ -32,7 +32,8 @@ bool may_replace(const RoomSensor& sensor, const Entry& entry) {
 }  // namespace
 
 RoomActions Room::join(ConnectionId from, const pb::Join& join, const Entry& entry, RoomTime now) {
-  ROOMCAST_ASSERT(sensors_.find(from) == nullptr && !viewers_.contains(from));
+  ROOMCAST_ASSERT(sensors_.find(from) == nullptr && !viewers_.contains(from) &&
+                  playback_.find(from) == nullptr);
   RoomActions out;
   switch (join.role_case()) {
     case pb::Join::kSensor:
@@ -42,7 +43,10 @@ RoomActions Room::join(ConnectionId from, const pb::Join& join, const Entry& ent
       join_aligner(from, entry, now, out);
       break;
     default:
-      join_viewer(from, join, entry, now, out);
+      if (join.viewer().plays().empty())
+        join_viewer(from, join, entry, now, out);
+      else
+        join_player(from, join, entry, now, out);
   }
   const bool is_in = sensors_.find(from) != nullptr || viewers_.contains(from);
   if (is_in && other_hubs_.has_other_hubs()) out.push_back(SendControl{{from}, other_hubs_});
@@ -125,12 +129,20 @@ void Room::forget_newest_frames() {
   for (RoomSensor& sensor : sensors_.all()) sensor.stats.newest_seq.reset();
 }
 
+bool Room::is_full() const {
+  return viewers_.size() + playback_.count() >= settings_.max_viewers;
+}
+
+RoomActions Room::refuse_as_full(ConnectionId from, RoomTime now) {
+  return refuse(from, pb::ERROR_ROOM_FULL,
+                "this room holds " + std::to_string(settings_.max_viewers) + " viewers and is full",
+                now);
+}
+
 void Room::join_viewer(ConnectionId from, const pb::Join& join, const Entry& entry, RoomTime now,
                        RoomActions& out) {
-  if (viewers_.size() >= settings_.max_viewers) {
-    out = refuse(
-        from, pb::ERROR_ROOM_FULL,
-        "this room holds " + std::to_string(settings_.max_viewers) + " viewers and is full", now);
+  if (is_full()) {
+    out = refuse_as_full(from, now);
     return;
   }
   pb::Control welcome = welcome_message(entry);

@@ -15,6 +15,8 @@ std::optional<ViewerId> Room::speaker_at(ConnectionId from) {
     sensor->has_spoken = true;
     return wire::speaker_of(sensor->id);
   }
+  if (const auto* player = playback_.find(from))
+    return player->may_speak ? std::optional(player->id) : std::nullopt;
   const auto viewer = viewers_.find(from);
   if (viewer == viewers_.end() || !viewer->second.may_speak) return std::nullopt;
   return viewer->second.id;
@@ -45,8 +47,11 @@ RoomActions Room::audio(ConnectionId from, const wire::AudioHeader& header,
   const ViewerId speaker = *speaking;
   ++set_stats_.audio_packets;
   RoomActions out;
-  auto to = voices_.receivers(speaker, header.ends, now,
-                              [this](ViewerId anybody) { return place_of(anybody); });
+  const auto* player = playback_.find(from);
+  auto to = player != nullptr
+                ? playback_.receivers(*player, header.ends, now)
+                : voices_.receivers(speaker, header.ends, now,
+                                    [this](ViewerId anybody) { return place_of(anybody); });
   if (to.empty()) return out;
   wire::stamp_speaker(message.payload(), speaker);
   out.push_back(SendAudio{std::move(to), speaker, net::frame_message(std::move(message))});
@@ -54,12 +59,19 @@ RoomActions Room::audio(ConnectionId from, const wire::AudioHeader& header,
 }
 
 RoomActions Room::mute(ViewerId speaker, bool muted, RoomTime now) {
-  for (const auto& [connection, entry] : viewers_) {
-    if (entry.id != speaker || entry.token_id.empty()) continue;
-    muted ? void(muted_tokens_.insert(entry.token_id)) : void(muted_tokens_.erase(entry.token_id));
+  const auto* player = playback_.find(speaker);
+  if (player != nullptr) mute_token(player->token_id, muted);
+  for (const auto& [connection, viewer] : viewers_) {
+    if (viewer.id == speaker) mute_token(viewer.token_id, muted);
   }
-  voices_.set_muted(speaker, muted);
+  player != nullptr ? playback_.set_muted(*player, muted) : voices_.set_muted(speaker, muted);
   return tick(now);
+}
+
+/// Who joins with it later is muted, too.
+void Room::mute_token(const std::string& token_id, bool muted) {
+  if (token_id.empty()) return;
+  muted ? void(muted_tokens_.insert(token_id)) : void(muted_tokens_.erase(token_id));
 }
 
 /// Tells the viewer who speaks, if it wants to hear; and mutes it if it was muted before.

@@ -185,6 +185,7 @@ void RoomRegistry::count_fault(const std::string& peer, const Refusal& why) {
 bool RoomRegistry::redirect(const ConnectionInfo& connection_info, const pb::Join& join,
                             const std::string& room) {
   if (backplane_ == nullptr || !join.has_viewer() || join.redirected()) return false;
+  if (!join.viewer().plays().empty()) return false;  // the recording is at this hub
   const auto urls = backplane_->less_busy_hubs(room);
   if (urls.empty()) return false;
   log(LogLevel::kInfo, described(connection_info, join) + " is redirected to " + urls.front(),

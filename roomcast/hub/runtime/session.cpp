@@ -49,6 +49,7 @@ const wire::SendingLimits& SessionLimits::of(Role role) const {
     case Role::kAligner:
       return aligner;
     case Role::kViewer:
+    case Role::kPlayer:
       break;
   }
   return viewer;

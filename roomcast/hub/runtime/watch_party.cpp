@@ -54,7 +54,8 @@ std::optional<WatchParties::View> WatchParties::visit(const std::string& recordi
   view.playing.position_s = position_at(party.playing, party.since, now);
   view.is_own = party.changed_by == own->id;
   for (const Watcher& other : party.watchers) {
-    if (other.id != own->id) view.others.push_back({other.id, other.state.name, other.state.head});
+    if (other.id == own->id) continue;
+    view.others.push_back({other.id, other.state.viewer, other.state.name, other.state.head});
   }
   return view;
 }

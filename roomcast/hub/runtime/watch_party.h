@@ -24,8 +24,9 @@ struct Playing {
 
 /// Of one page, as it says itself.
 struct WatcherState {
-  std::string key;   // random; tells pages apart, and is passed to nobody
-  std::string name;  // may be empty
+  std::string key;           // random; tells pages apart, and is passed to nobody
+  std::string name;          // may be empty
+  std::uint32_t viewer = 0;  // by which its voice is known; 0: it has none
   std::array<float, 7> head = {0, 0, 0, 0, 0, 0, 1};  // x, y, z in metres, then a unit quaternion
   std::optional<Playing> wants = {};                  // this person has just sought, paused, ...
   bool leaves = false;                                // the page goes away
@@ -39,6 +40,7 @@ class WatchParties {
 
   struct Other {
     std::uint32_t id = 0;
+    std::uint32_t viewer = 0;
     std::string name;
     std::array<float, 7> head{};
   };

@@ -73,6 +73,7 @@ export interface HubViewer {
   name: string;
   address?: string;
   records?: boolean;
+  plays?: string; // a recording, in place of the room
   may_speak?: boolean;
   muted?: boolean;
   bytes_per_second: number;

@@ -39,9 +39,12 @@ export class PeopleView {
     this.list = new KeyedList(this.rows, ({ id }) => String(id), (person) => this.row(person));
   }
 
-  /** `known`: the data that the hub reports to admins, and the page's data about itself. */
+  /** `viewers`: in the room; who plays a recording of it is added. `known`: the data that the hub reports to admins, and the page's data about itself. */
   show(viewers: readonly ViewerEntry[], known: readonly KnownViewer[], self: number | undefined): void {
-    const people = viewers.map(({ id, name }) => {
+    const players = known.flatMap(({ id, name = '', plays }) =>
+      plays === undefined ? [] : [{ id, name: texts.plays(name || panelTexts.person(id), plays) }],
+    );
+    const people = [...viewers, ...players].map(({ id, name }) => {
       const isSelf = id === self;
       const facts = known.find((viewer) => viewer.id === id);
       return { id, name: (name || panelTexts.person(id)) + (isSelf ? texts.you : ''), isSelf, facts };

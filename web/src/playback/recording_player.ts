@@ -8,11 +8,12 @@ import { playbackTexts as texts } from '../recording_texts';
 import { initialState, pageTime_ms, type ConnectionState, type PlaybackCommand, type PlaybackState, type StartOptions } from '../stream/protocol';
 import type { RoomEvents, RoomSource } from '../stream/room_source';
 import { audioPayload, parseAudioHeader } from '../wire/audio_header';
-import { decodeControl } from '../wire/control';
+import { decodeControl, type ControlMessage } from '../wire/control';
 import { framePayload, MessageType, messageType, parseFrameHeader, type FrameHeader } from '../wire/frame_header';
 import { WireError } from '../wire/wire_error';
 import { inOrderOfShowing, type MomentFrame } from './moment_frames';
 import type { Part, PartRecord } from './part';
+import { PartyLine } from './party_line';
 import { PartsClient, PlaybackProblem, type AboutRecording } from './parts_client';
 import { PlaybackClock } from './playback_clock';
 
@@ -46,10 +47,12 @@ export class RecordingPlayer implements RoomSource {
   private timer: Timer | undefined;
   private phase: ConnectionState['phase'] | undefined;
   private openedAt_ms: number | undefined;
+  private line: PartyLine | undefined; // to the others who play it
+  private pose: ControlMessage | undefined; // of this person
   private readonly told = new Map<string, Uint8Array>(); // the last roster and marks
 
   constructor(
-    private readonly options: Pick<StartOptions, 'room' | 'access' | 'socketUrl'>,
+    private options: StartOptions,
     private readonly playback: NonNullable<StartOptions['playback']>,
     private readonly events: RoomEvents,
   ) {
@@ -58,7 +61,7 @@ export class RecordingPlayer implements RoomSource {
   }
 
   get received_bytes(): number {
-    return this.parts.received_bytes;
+    return this.parts.received_bytes + (this.line?.received_bytes ?? 0);
   }
 
   connect(): void {
@@ -69,18 +72,37 @@ export class RecordingPlayer implements RoomSource {
     });
   }
 
-  // There is nobody who could hear or see it.
-  send(): void {}
-  sendAudio(): void {}
-  rename(): void {}
+  /** Nothing can be done to a recording; the others hear where one stands. */
+  send(message: ControlMessage): void {
+    if (message.case !== 'viewerPose') return;
+    this.pose = message;
+    this.line?.stand(message);
+  }
 
-  control({ seek_s, paused, speed, loops }: PlaybackCommand): void {
+  sendAudio(page_ms: number, ends: boolean, payload: Uint8Array): void {
+    this.line?.sendAudio(page_ms, ends, payload);
+  }
+
+  rename(name: string): void {
+    this.options = { ...this.options, name };
+    this.line?.rename(name);
+  }
+
+  control({ seek_s, paused, speed, loops, isTogether }: PlaybackCommand): void {
+    if (isTogether !== undefined) this.join(isTogether);
     if (loops !== undefined) this.loops = loops;
     if (speed !== undefined) this.setSpeed(speed);
     if (paused !== undefined) this.pause(paused);
     if (seek_s !== undefined) this.seek(seek_s);
     this.tell();
     this.turnSoon();
+  }
+
+  private join(isTogether: boolean): void {
+    if (isTogether === (this.line !== undefined) || !this.options.hears) return;
+    this.line?.leave();
+    const { options, room, playback, pose, events } = this;
+    this.line = isTogether ? new PartyLine({ ...options, room }, playback.recording, pose, events) : undefined;
   }
 
   private get room(): string {
@@ -95,6 +117,7 @@ export class RecordingPlayer implements RoomSource {
     if (about.state === 'unreadable') throw new PlaybackProblem(about.problem ?? texts.unreadable, false, true);
     this.about = about;
     this.events.welcome(create(WelcomeSchema, { room: this.room }));
+    this.events.line(0, false);
     this.seek(this.playback.from_s);
     setInterval(() => this.tell(), reportEvery_ms);
   }

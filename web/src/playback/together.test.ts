@@ -12,6 +12,7 @@ const alone: PartyAnswer = { people: [], change: 0, by: '', own: false, playing:
 function party() {
   const said: { wants?: object }[] = [];
   const done: PlaybackCommand[] = [];
+  const lines: PlaybackCommand[] = []; // to the others
   const seen: string[][] = [];
   const now = { answer: alone, ms: 100_000, fails: false };
   const together = new Together(
@@ -20,14 +21,14 @@ function party() {
       return now.fails ? Promise.reject(new Error('away')) : Promise.resolve(now.answer);
     },
     {
-      self: () => ({ name: 'Ada', head: { x: 1, y: 2, z: 3, qx: 0, qy: 0, qz: 0, qw: 1 } }),
+      self: () => ({ name: 'Ada', viewer: 7, head: { x: 1, y: 2, z: 3, qx: 0, qy: 0, qz: 0, qw: 1 } }),
       people: (viewers) => seen.push(viewers.map(({ name }) => name)),
-      control: (command) => done.push(command),
+      control: (command) => (command.isTogether === undefined ? done : lines).push(command),
     },
     () => now.ms,
   );
   together.show(playing);
-  return { together, said, done, seen, now };
+  return { together, said, done, lines, seen, now };
 }
 
 describe('playing together', () => {
@@ -37,7 +38,7 @@ describe('playing together', () => {
     together.wanted({ seek_s: 30 });
     await together.visit();
     await together.visit();
-    expect(said[0]).toMatchObject({ name: 'Ada', head: [1, 2, 3, 0, 0, 0, 1], wants: { position_s: 30, paused: true, speed: 1 } });
+    expect(said[0]).toMatchObject({ name: 'Ada', viewer: 7, head: [1, 2, 3, 0, 0, 0, 1], wants: { position_s: 30, paused: true, speed: 1 } });
     expect(said[1]!.wants).toBeUndefined();
   });
 
@@ -81,7 +82,7 @@ describe('playing together', () => {
   });
 
   test('leaves somebody alone who wants that', async () => {
-    const { together, said, done, seen, now } = party();
+    const { together, said, done, lines, seen, now } = party();
     now.answer = { ...alone, people: [{ id: 4, name: 'Bob', head: [0, 1, 0, 0, 0, 0, 1] }], change: 2, playing: { position_s: 50, paused: true, speed: 1 } };
     together.setOn(false);
     await together.visit();
@@ -91,6 +92,7 @@ describe('playing together', () => {
     together.setOn(true);
     await together.visit();
     expect(done).toEqual([{ seek_s: 50, paused: true, speed: 1 }]);
+    expect(lines).toEqual([{ isTogether: false }, { isTogether: true }]);
   });
 
   test('shows the others, and nobody while the hub is away', async () => {

@@ -4,13 +4,13 @@
 import type { Pose, ViewerEntry, ViewerPose } from '../gen/control_pb';
 import { hexText } from '../hex_text';
 import { playbackTexts as texts } from '../recording_texts';
+import { fellowOf, silentFellowOf } from '../voice/fellow_speaker';
 import type { PlainPose, PlaybackCommand, PlaybackState } from '../stream/protocol';
 
 const askEvery_ms = 200;
 const far_s = 2; // from the others: then it seeks
 const rest_ms = 10_000; // between two such seeks, for a page that is too slow
 const near_s = 0.3; // a seek that nobody would notice
-const firstId = 0xc000_0000; // beyond the people and microphones of the recording
 const colors = [0xe69f00, 0x56b4e9, 0x009e73, 0xf0e442, 0xcc79a7, 0xd55e00];
 
 export interface Playing {
@@ -20,7 +20,7 @@ export interface Playing {
 }
 
 export interface PartyAnswer {
-  people: { id: number; name: string; head: number[] }[];
+  people: { id: number; viewer?: number; name: string; head: number[] }[];
   change: number;
   by: string;
   own: boolean;
@@ -30,6 +30,7 @@ export interface PartyAnswer {
 export interface Self {
   name: string;
   head: PlainPose;
+  viewer: number; // by which the others know one's voice; 0: they hear nothing
 }
 
 export interface TogetherEvents {
@@ -59,6 +60,7 @@ export class Together {
   /** Off: this person plays it alone, and sees nobody. */
   setOn(isOn: boolean): void {
     this.isOn = isOn;
+    this.events.control({ isTogether: isOn });
     this.wants = undefined;
     this.change = 0;
     if (isOn) return;
@@ -71,12 +73,13 @@ export class Together {
   }
 
   private body() {
-    const { name, head } = this.events.self();
+    const { name, head, viewer } = this.events.self();
     const { x, y, z, qx, qy, qz, qw } = head;
-    return { key: this.key, name, head: [x, y, z, qx, qy, qz, qw] };
+    return { key: this.key, name, viewer, head: [x, y, z, qx, qy, qz, qw] };
   }
 
   begin(): void {
+    this.events.control({ isTogether: true });
     window.addEventListener('pagehide', () => this.leave());
     const again = () => void this.visit().finally(() => setTimeout(again, askEvery_ms));
     again();
@@ -136,13 +139,19 @@ type Person = PartyAnswer['people'][number];
 
 // As from a roster. They are written out because Protobuf’s own functions would be loaded with every page.
 
-function entryOf({ id, name }: Person): ViewerEntry {
-  const shown = texts.withYou(name || texts.somebody(id));
-  const usual = { hubsAway: 0, through: 0, relays: false, records: false, recordsVoices: false };
-  return { $typeName: 'roomcast.wire.pb.ViewerEntry', id: firstId + id, name: shown, colorRgb: colors[id % colors.length]!, ...usual };
+function idOf({ id, viewer = 0 }: Person): number {
+  return viewer > 0 ? fellowOf(viewer) : silentFellowOf(id);
 }
 
-function poseOf({ id, head: [x, y, z, qx, qy, qz, qw] }: Person): ViewerPose {
+function entryOf(person: Person): ViewerEntry {
+  const { id, name } = person;
+  const shown = texts.withYou(name || texts.somebody(id));
+  const usual = { hubsAway: 0, through: 0, relays: false, records: false, recordsVoices: false };
+  return { $typeName: 'roomcast.wire.pb.ViewerEntry', id: idOf(person), name: shown, colorRgb: colors[id % colors.length]!, ...usual };
+}
+
+function poseOf(person: Person): ViewerPose {
+  const [x, y, z, qx, qy, qz, qw] = person.head;
   const head: Pose = { $typeName: 'roomcast.wire.pb.Pose', x: x!, y: y!, z: z!, qx: qx!, qy: qy!, qz: qz!, qw: qw! };
-  return { $typeName: 'roomcast.wire.pb.ViewerPose', viewerId: firstId + id, head, viewHalfAngle: 0 };
+  return { $typeName: 'roomcast.wire.pb.ViewerPose', viewerId: idOf(person), head, viewHalfAngle: 0 };
 }

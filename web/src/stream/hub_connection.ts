@@ -26,7 +26,7 @@ const silenceCheck_ms = 100;
 const normalClosure = 1000;
 const policyClosure = 4000; // private range: a browser may not send 1002 or 1008
 
-export type HubEvents = Omit<RoomEvents, 'playback' | 'rewound' | 'silenced'>;
+export type HubEvents = Omit<RoomEvents, 'playback' | 'rewound' | 'silenced' | 'line'>;
 
 export class HubConnection implements RoomSource {
   received_bytes = 0;
@@ -43,12 +43,13 @@ export class HubConnection implements RoomSource {
   private token: string;
   private name: string;
   private redirected = false; // by a busy hub
+  private isOver = false;
   private maySpeak = false;
   private audioSeq = 0;
   private readonly hubs: HubChoice;
 
   constructor(
-    private readonly options: Pick<StartOptions, 'socketUrl' | 'room' | 'name' | 'access' | 'hears' | 'authorKey'>,
+    private readonly options: Pick<StartOptions, 'socketUrl' | 'room' | 'name' | 'access' | 'hears' | 'authorKey'> & { plays?: string },
     private readonly events: HubEvents,
   ) {
     this.token = options.access.token;
@@ -57,6 +58,7 @@ export class HubConnection implements RoomSource {
   }
 
   connect(): void {
+    if (this.isOver) return;
     this.ending = noEnding();
     this.clock = new RoomClock();
     this.pings = 0;
@@ -90,6 +92,14 @@ export class HubConnection implements RoomSource {
     this.connect();
   }
 
+  /** For good. */
+  leave(): void {
+    this.isOver = true;
+    if (!this.socket) return; // one that opens later is closed
+    this.drop(this.socket, normalClosure);
+    this.forget();
+  }
+
   /** A live room cannot be sought in. */
   control(): void {}
 
@@ -98,14 +108,15 @@ export class HubConnection implements RoomSource {
   }
 
   private opened(socket: WebSocket, url: string): void {
+    if (this.isOver) return socket.close(normalClosure);
     this.hubs.answered(url);
     socket.onmessage = (event: MessageEvent) => this.received(event.data);
     socket.onclose = (event) => this.closed(event);
     this.socket = socket;
     this.ending.opened = true;
     this.silent_ms = 0;
-    const { hears, authorKey } = this.options;
-    const role = { case: 'viewer', value: { hears, authorKey } } as const;
+    const { hears, authorKey, plays = '' } = this.options;
+    const role = { case: 'viewer', value: { hears, authorKey, plays } } as const;
     // A code is valid once: after it was exchanged for a token, that token is presented.
     const right = this.token ? { token: this.token } : { code: this.options.access.code };
     this.send({ case: 'join', value: { room: this.room, name: this.name, role, ...right, redirected: this.redirected } });

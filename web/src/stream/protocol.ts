@@ -81,6 +81,7 @@ export interface PlaybackCommand {
   paused?: boolean;
   speed?: number;
   loops?: boolean;
+  isTogether?: boolean; // with others, whom one hears
 }
 
 export interface PlaybackState {
@@ -108,6 +109,7 @@ export type FromWorker =
   | { kind: 'marks'; marks: Marks }
   | { kind: 'guide'; viewer: number } // 0: nobody
   | { kind: 'playback'; state: PlaybackState }
+  | { kind: 'line'; viewer: number; maySpeak: boolean } // to the others who play the recording; 0: there is none
   | { kind: 'unseen'; paused: number[] } // sensors that send nothing, as their surfaces are not in view
   | { kind: 'frames'; setId: bigint; frames: ViewFrame[]; decodedAt_ms: number }
   | { kind: 'status'; status: Status }

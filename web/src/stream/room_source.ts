@@ -29,6 +29,8 @@ export interface RoomEvents {
   rewound(): void;
   /** Audio that has not been heard yet is of another time than what follows. */
   silenced(): void;
+  /** Of a recording: people who play it can hear this one as a viewer of this ID, if it may speak; 0: nobody can. */
+  line(viewer: number, maySpeak: boolean): void;
   /** Of a recording. */
   playback(state: PlaybackState): void;
 }

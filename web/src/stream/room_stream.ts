@@ -124,6 +124,7 @@ export class RoomStream {
       },
       rewound: () => this.rewindSensors(),
       silenced: () => this.voice?.postMessage(silence),
+      line: (viewer, maySpeak) => this.post({ kind: 'line', viewer, maySpeak }),
       playback: (state) => this.post({ kind: 'playback', state }),
     };
     const source = await this.sourceFor(options, events);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The people and microphones that are heard: a player for each, at its head, with a volume of its own. Metres, world frame.
 import type { PlainPose } from '../stream/protocol';
+import { isFellow } from './fellow_speaker';
 import type { JitterFigures } from './jitter_buffer';
 
 const nearest_m = 1; // within it nobody is louder
@@ -28,12 +29,21 @@ function axesOf({ qx: x, qy: y, qz: z, qw: w }: PlainPose) {
 
 export class Speakers {
   private readonly speakers = new Map<number, Speaker>();
+  private readonly played: GainNode; // voices of a recording
   private readonly volumes = new Map<number, number>();
 
   constructor(
     private readonly context: AudioContext,
     private readonly out: AudioNode,
-  ) {}
+  ) {
+    this.played = new GainNode(context);
+    this.played.connect(out);
+  }
+
+  /** The voices of a recording; who plays it together with this person is heard as before. */
+  hearRecording(wanted: boolean): void {
+    this.played.gain.value = wanted ? 1 : 0;
+  }
 
   get ids(): number[] {
     return [...this.speakers.keys()];
@@ -55,7 +65,7 @@ export class Speakers {
       refDistance: nearest_m,
       rolloffFactor: rolloff,
     });
-    node.connect(gain).connect(panner).connect(this.out);
+    node.connect(gain).connect(panner).connect(isFellow(id) ? this.out : this.played);
     const speaker: Speaker = { node, gain, panner, figures: undefined };
     node.port.onmessage = ({ data }: MessageEvent<JitterFigures>) => (speaker.figures = data);
     this.speakers.set(id, speaker);

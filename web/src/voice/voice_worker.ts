@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The voice worker: encodes the microphone's blocks for the hub, and decodes the packets of speakers for their players.
 import { pageTime_ms } from '../stream/protocol';
+import { isFellow } from './fellow_speaker';
 import type { FromVoiceWorker, ToVoiceWorker } from './protocol';
 import { loudnessOf } from './talk_gate';
 import { VoiceDecoder } from './voice_decoder';
@@ -51,9 +52,11 @@ function recorded(block: RecordedBlock): void {
   if (++blocks % levelEvery === 0) page.postMessage({ kind: 'level', loudness, isSent });
 }
 
+/** Of a recording; who plays it together with this person talks on. */
 function fallSilent(): void {
-  kept.forEach((packets) => (packets.length = 0));
-  for (const { decoder, port } of players.values()) {
+  kept.forEach((packets, speaker) => !isFellow(speaker) && (packets.length = 0));
+  for (const [speaker, { decoder, port }] of players) {
+    if (isFellow(speaker)) continue;
     decoder.restart();
     port.postMessage(silence);
   }
