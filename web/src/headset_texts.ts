@@ -8,6 +8,8 @@ export const headsetPanelTexts = {
   start: 'Back to the start',
   narrow: 'Narrow view while walking',
   seated: 'I sit',
+  place: 'Place the room',
+  placing: 'Point at your floor or a table. The stick turns the room, the trigger puts it down.',
   microphone: (isOn: boolean) => (isOn ? 'Microphone: on' : 'Microphone: off'),
   people: 'Here, and heard by you:',
   alone: 'Nobody else is here.',

@@ -55,17 +55,27 @@ export function enterHeadset({ standpoint, stage, headset }: HeadsetPage, mode: 
 }
 
 /** Loaded when a headset is put on; without it one is still in the room, and leaves it as other pages. */
-async function showPanel({ headset, state, sound, sheets, standpoint, hubAddress }: HeadsetPage): Promise<void> {
+async function showPanel(page: HeadsetPage): Promise<void> {
+  await loadPanel(page);
+  const { headset, state } = page;
+  const own = headset.ownRoom;
+  if (own) headset.placer?.entered({ ...own, room: state.welcome?.room ?? '' });
+}
+
+async function loadPanel({ headset, state, sound, sheets, standpoint, hubAddress }: HeadsetPage): Promise<void> {
   if (headset.panel) return;
-  const { HeadsetPanel } = await import('./xr/headset_panel');
+  const { HeadsetPanel, RoomPlacer } = await import('./xr/headset_panel');
+  const placer = new RoomPlacer(store);
   const panel = new HeadsetPanel({
-    ...{ state, sound, sheets, hubAddress, comfort },
+    ...{ state, sound, sheets, hubAddress, comfort, placer },
+    seesOwnRoom: () => headset.ownRoom !== undefined,
     comfortChanged: () => keepComfort(store, comfort),
     goToStart: () => headset.goTo(standpoint.startView.position),
     leave: () => void headset.leave(),
   });
   headset.panel = panel;
-  headset.root.add(panel.root);
+  headset.placer = placer;
+  headset.root.add(panel.root, placer.root);
 }
 
 /** Sets the screen's view to the wearer's last position. */

@@ -121,6 +121,8 @@ export class TestApi {
       passthrough: stage.room.isPassthrough,
       selects: headset.selects,
       narrowness: headset.narrowness,
+      standing: headset.standing,
+      places: headset.placer?.isOn ?? false,
       panel: headset.panel?.content ?? null,
     };
   }

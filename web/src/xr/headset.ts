@@ -13,6 +13,7 @@ import { Sticks, type Stick } from './sticks';
 import { ViewFrame } from './view_frame';
 
 const walkSpeed_mPerS = 1.4;
+const turnSpeed_radPerS = 1.2; // of the room, while it is being placed
 const longestFrame_s = 0.1;
 
 /** What can be pointed at and pressed in the headset, besides the floor. */
@@ -25,6 +26,17 @@ export interface Pressable {
   close(): void;
   /** For tests. */
   readonly content: unknown;
+}
+
+/** Puts the room somewhere in the wearer's own, which is seen around it (room_placer.ts). */
+export interface Placer {
+  readonly isOn: boolean;
+  place(frame: XRFrame, before: StandingPlace, hand: XRInputSource | undefined, turn_rad: number): StandingPlace | undefined;
+  follow(frame: XRFrame): StandingPlace | undefined;
+  putDown(): void;
+  release(): void;
+  entered(own: { session: XRSession; floor: XRReferenceSpace; room: string }): void;
+  left(): void;
 }
 
 export interface HeadsetEvents {
@@ -61,6 +73,7 @@ export class Headset {
   readonly root = new THREE.Group(); // to be added to the scene
   views: { eye: XREye; position: [number, number, number] }[] = []; // of the last picture
   panel: Pressable | undefined;
+  placer: Placer | undefined;
   selects = 0; // triggers pulled and pinches made, in this session
   private readonly hands = [new HandView(), new HandView()] as const;
   private readonly arc = new ArcView();
@@ -102,11 +115,22 @@ export class Headset {
     return this.session !== undefined;
   }
 
+  /** What is around the wearer: undefined unless it is seen. */
+  get ownRoom(): { session: XRSession; floor: XRReferenceSpace } | undefined {
+    const { session, floor } = this;
+    return session && floor && this.seesOwnRoom ? { session, floor } : undefined;
+  }
+
+  /** The wearer's own floor in the room. */
+  get standing(): StandingPlace {
+    return this.place;
+  }
+
   /** The wearer enters at `at`, with heading `yaw`. Rejects with the browser's reason. */
   async enter(mode: HeadsetMode, at: THREE.Vector3, yaw: number): Promise<void> {
     const session = await navigator.xr!.requestSession(mode, {
       requiredFeatures: ['local-floor'],
-      optionalFeatures: ['bounded-floor', 'hand-tracking'],
+      optionalFeatures: ['bounded-floor', 'hand-tracking', 'hit-test', 'anchors'],
     });
     session.addEventListener('end', () => this.end());
     session.addEventListener('selectstart', ({ inputSource }) => this.selectWith(inputSource));
@@ -145,7 +169,8 @@ export class Headset {
     const tracked = this.showHands(frame, space);
     this.showPanel(viewer.transform, tracked);
     this.sit(viewer.transform);
-    const isMoved = this.move(viewer.transform, tracked, seconds);
+    const isPlaced = this.placeRoom(frame, seconds);
+    const isMoved = !isPlaced && this.move(viewer.transform, tracked, seconds);
     this.narrow = narrowed(this.narrow, isMoved && this.comfort.narrowsView && !this.seesOwnRoom, seconds);
     this.frame.show(this.narrow, viewer.transform);
     const [left, right] = tracked.map((pose) => pose && plain(pose));
@@ -154,6 +179,7 @@ export class Headset {
 
   private selectWith(source: XRInputSource): void {
     if (this.onPanel === sideOf(source)) this.panel?.press();
+    else if (this.placer?.isOn) this.placer.putDown();
     else this.selecting = source;
   }
 
@@ -182,12 +208,26 @@ export class Headset {
     return found;
   }
 
+  /** True while the wearer chooses a place for the room. Else it stays where it was put. */
+  private placeRoom(frame: XRFrame, seconds: number): boolean {
+    const { placer } = this;
+    if (!placer || !this.seesOwnRoom) return false;
+    const isOn = placer.isOn;
+    const hands = [...this.session!.inputSources].filter(({ handedness }) => handedness !== 'none');
+    const hand = hands.find(({ handedness }) => handedness === 'right') ?? hands[0];
+    const turn = hand ? (stickOf(hand)?.x ?? 0) : 0;
+    const turn_rad = Math.abs(turn) < 0.2 ? 0 : turn * turnSpeed_radPerS * seconds;
+    const place = isOn ? placer.place(frame, this.place, hand, turn_rad) : placer.follow(frame);
+    if (place) this.standAt(place);
+    return isOn;
+  }
+
   /** Lifts who has said that he sits, from where his eyes are then; puts him down again when he stands. */
   private sit({ position }: XRRigidTransform): void {
     if (this.comfort.isSeated === this.wasSeated) return;
     this.wasSeated = this.comfort.isSeated;
     const eyes_m = position.y - this.place.y - this.lift_m;
-    this.lift_m = this.wasSeated ? liftOf(eyes_m) : 0;
+    this.lift_m = this.wasSeated && !this.seesOwnRoom ? liftOf(eyes_m) : 0; // the own floor stays where it is
     this.standAt(this.place);
   }
 
@@ -202,15 +242,15 @@ export class Headset {
     const at = new THREE.Vector3(head.position.x, head.position.y, head.position.z);
     const { x, y, z, w } = head.orientation;
     const step_m = walkSpeed_mPerS * seconds;
-    if (wishes.turn_rad !== 0) this.standAt(turned(this.place, at, wishes.turn_rad));
+    if (wishes.turn_rad !== 0) this.goOn(turned(this.place, at, wishes.turn_rad));
     if (wishes.right !== 0 || wishes.forward !== 0) {
       const yaw = yawOf(new THREE.Quaternion(x, y, z, w));
-      this.standAt(walked(this.place, yaw, wishes.right * step_m, wishes.forward * step_m));
+      this.goOn(walked(this.place, yaw, wishes.right * step_m, wishes.forward * step_m));
     }
     const aiming = wishes.aims ? hands[1] : this.selecting && hands[sideOf(this.selecting)];
     if (aiming) this.aim(aiming);
     if (wishes.letsGo) this.letGo();
-    if (this.teleports) this.standAt(movedTo(this.place, at, this.teleports));
+    if (this.teleports) this.goOn(movedTo(this.place, at, this.teleports));
     this.teleports = undefined;
     return wishes.right !== 0 || wishes.forward !== 0;
   }
@@ -228,6 +268,12 @@ export class Headset {
     this.arc.hide();
   }
 
+  /** To another place in the room. */
+  private goOn(place: StandingPlace): void {
+    this.placer?.release();
+    this.standAt(place);
+  }
+
   private standAt(place: StandingPlace): void {
     this.place = place;
     const { position: p, orientation: o } = originOffset({ ...place, y: place.y + this.lift_m });
@@ -237,6 +283,7 @@ export class Headset {
 
   private end(): void {
     this.session = this.floor = this.selecting = this.target = this.teleports = undefined;
+    this.placer?.left();
     this.views = [];
     this.root.visible = false;
     this.arc.hide();

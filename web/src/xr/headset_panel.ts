@@ -10,7 +10,10 @@ import type { Sound } from '../sound';
 import { headsetPanelTexts as texts } from '../headset_texts';
 import { Board } from './board';
 import type { Comfort } from './comfort';
+import type { Placer } from './headset';
 import type { BoardButton, BoardSheet, SheetHolder } from './board_sheet';
+
+export { RoomPlacer } from './room_placer';
 
 const board_m = { ahead: 1.4, below: 0.1 };
 const tile_m = { ahead: 0.7, below: 0.5 };
@@ -29,6 +32,8 @@ export interface HeadsetPanelParts {
   sheets: SheetHolder;
   comfort: Comfort; // changed by the wearer
   comfortChanged(): void;
+  placer: Pick<Placer, 'isOn'> & { begin(): void };
+  seesOwnRoom(): boolean; // the wearer
   goToStart(): void;
   leave(): void;
 }
@@ -85,7 +90,8 @@ export class HeadsetPanel {
 
   /** True where the ray meets something that can be pressed, or would hide it. */
   point(from: THREE.Vector3, direction: THREE.Vector3): boolean {
-    [this.pointed] = [this.tile, this.board].filter((board) => board.point(from, direction));
+    const boards = this.parts.placer.isOn ? [] : [this.tile, this.board]; // the room goes where the hand points
+    [this.pointed] = boards.filter((board) => board.point(from, direction));
     return this.pointed !== undefined;
   }
 
@@ -108,6 +114,8 @@ export class HeadsetPanel {
   }
 
   private tileSheet(): BoardSheet {
+    const { placer } = this.parts;
+    if (placer.isOn) return { title: '', words: [texts.placing], rows: [], press: () => undefined };
     const { bar } = this.parts.sheets;
     const buttons = [{ id: 'open', text: texts.open }, ...(bar?.rows.flatMap((row) => row.buttons) ?? [])];
     const words = [...this.troubles.slice(0, 1), ...(bar?.words ?? [])];
@@ -129,10 +137,12 @@ export class HeadsetPanel {
       { id: 'leave', text: texts.leave },
       { id: 'close', text: texts.close },
     ];
-    const comforts: BoardButton[] = [
-      { id: 'narrow', text: texts.narrow, isOn: comfort.narrowsView },
-      { id: 'seated', text: texts.seated, isOn: comfort.isSeated },
-    ];
+    const comforts: BoardButton[] = this.parts.seesOwnRoom()
+      ? [{ id: 'place', text: texts.place }]
+      : [
+          { id: 'narrow', text: texts.narrow, isOn: comfort.narrowsView },
+          { id: 'seated', text: texts.seated, isOn: comfort.isSeated },
+        ];
     return {
       title: state.welcome?.room ?? '',
       words: this.troubles,
@@ -148,6 +158,7 @@ export class HeadsetPanel {
       else comfort.isSeated = !comfort.isSeated;
       return this.parts.comfortChanged();
     }
+    if (id === 'place') this.parts.placer.begin();
     const person = /^person (\d+)$/.exec(id);
     if (person) {
       const viewer = Number(person[1]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Quaternion, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { inWorld, movedTo, originOffset, turned, walked, yawOf } from './standing_place';
+import { inWorld, movedTo, originOffset, standingOver, surfaceUnder, turned, walked, yawOf } from './standing_place';
 
 const place = { x: 1, y: 0, z: -2, yaw: 0.7 };
 const headOnFloor = new Vector3(0.3, 1.65, 0.2); // in the wearer's physical floor frame
@@ -34,5 +34,20 @@ describe('the place of a wearer', () => {
 
   test('gives the direction of a head', () => {
     expect(yawOf(new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), 0.4))).toBeCloseTo(0.4);
+  });
+
+  test('is such that a point of the own floor or table is at a point of the room', () => {
+    const table = new Vector3(0.5, 0.75, -1.2);
+    const target = new Vector3(3, 0, 4);
+    near(inWorld(standingOver(target, table, 1.1), table), target);
+    expect(standingOver(target, table, 1.1).yaw).toBe(1.1);
+  });
+
+  test('is pointed at on the own floor, not too far away', () => {
+    const from = new Vector3(0, 1.5, 0);
+    near(surfaceUnder(from, new Vector3(0, -1, -1).normalize())!, new Vector3(0, 0, -1.5));
+    expect(surfaceUnder(from, new Vector3(0, 0.1, -1).normalize())).toBeUndefined();
+    expect(surfaceUnder(from, new Vector3(0, 0, -1))).toBeUndefined();
+    expect(surfaceUnder(from, new Vector3(0, -0.01, -1).normalize())).toBeUndefined();
   });
 });

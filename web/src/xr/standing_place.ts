@@ -37,6 +37,21 @@ export function movedTo(place: StandingPlace, head: Vector3, target: Vector3): S
   return { ...place, x: place.x + target.x - head.x, y: target.y, z: place.z + target.z - head.z };
 }
 
+/** With this heading, and so that `floorPoint`, of the physical floor, is at `target` in the room. */
+export function standingOver(target: Vector3, floorPoint: Vector3, yaw: number): StandingPlace {
+  const arm = floorPoint.clone().applyAxisAngle(up, yaw);
+  return { x: target.x - arm.x, y: target.y - arm.y, z: target.z - arm.z, yaw };
+}
+
+const farthest_m = 8;
+
+/** Where a ray meets the physical floor, both in its space; undefined: nowhere near. */
+export function surfaceUnder(from: Vector3, direction: Vector3): Vector3 | undefined {
+  const length_m = -from.y / direction.y;
+  if (!(length_m > 0 && length_m <= farthest_m)) return undefined;
+  return direction.clone().multiplyScalar(length_m).add(from).setY(0);
+}
+
 /** Walks by a stick's deflection: forward is the head's horizontal direction. */
 export function walked(place: StandingPlace, headYaw: number, right_m: number, forward_m: number): StandingPlace {
   const [sin, cos] = [Math.sin(headYaw), Math.cos(headYaw)];
