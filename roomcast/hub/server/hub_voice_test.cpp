@@ -34,6 +34,16 @@ class HubVoiceTest : public HubServerTest {
     run_until([&] { return !client->received.empty(); });
     return client;
   }
+  /// As an admin who plays a recording.
+  std::shared_ptr<RawClient> play(const std::string& recording) {
+    pb::Control control = join_as_viewer();
+    control.mutable_join()->mutable_viewer()->set_hears(true);
+    control.mutable_join()->mutable_viewer()->set_plays(recording);
+    control.mutable_join()->set_token(hub->own_token());
+    auto client = connect(control);
+    run_until([&] { return !client->received.empty(); });
+    return client;
+  }
   /// `client` must be the newest one.
   void send(RawClient& client, const net::FramedMessagePtr& message, int times = 1) {
     for (int i = 0; i < times; ++i) client.send(message);
@@ -107,6 +117,35 @@ TEST_F(HubVoiceTest, a_sensor_that_floods_with_audio_is_disconnected) {
 TEST_F(HubVoiceTest, somebody_who_has_not_joined_does_not_speak) {
   const auto stranger = connect(std::deque{audio_packet(0)});
   expect_refusal(*stranger, pb::ERROR_UNEXPECTED);
+}
+
+TEST_F(HubVoiceTest, who_plays_a_recording_gets_the_voices_of_those_who_play_it_and_no_frames) {
+  const auto in_room = join(true);
+  const auto other = play("tuesday"), listener = play("monday");
+  const auto sensor = connect(join_as_sensor("left"));
+  run_until([&] { return !sensor->received.empty(); });
+  send(*sensor, key_frame(0));
+  run_until([&] { return !in_room->frames.empty(); });
+  const auto speaker = play("monday");
+  send(*speaker, audio_packet(7));
+  run_until([&] { return !listener->audio.empty(); });
+  EXPECT_EQ(listener->audio[0].speaker.value, speaker->received.at(0).welcome().viewer_id());
+  EXPECT_TRUE(in_room->audio.empty());
+  EXPECT_TRUE(other->audio.empty());
+  EXPECT_TRUE(listener->frames.empty());
+  EXPECT_TRUE(std::ranges::none_of(listener->received, &pb::Control::has_roster));
+}
+
+TEST_F(HubVoiceTest, a_player_who_floods_is_disconnected_and_the_others_go_on) {
+  const auto listener = play("monday"), flooder = play("monday");
+  send(*flooder, audio_packet(0), 400);
+  expect_refusal(*flooder, pb::ERROR_TOO_FAST);
+  const auto speaker = play("monday");
+  send(*speaker, audio_packet(1));
+  run_until([&] {
+    return std::ranges::any_of(listener->audio, [](const auto& h) { return h.seq == 1; });
+  });
+  EXPECT_FALSE(listener->closed);
 }
 
 class SilentRoomTest : public HubVoiceTest {
