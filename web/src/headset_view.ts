@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page in a headset: entering and leaving, and whose pose counts meanwhile.
+import type { Marking } from './marking';
 import type { Panel } from './panel/panel';
 import type { PosePublisher } from './pose_publisher';
 import type { RoomState } from './room_state';
@@ -22,6 +23,7 @@ export interface HeadsetPage {
   readonly standpoint: Standpoint;
   readonly headset: Headset;
   readonly sheets: SheetHolder;
+  readonly marking: Marking;
   readonly sound: Sound;
   readonly hubAddress: string;
 }
@@ -62,12 +64,18 @@ async function showPanel(page: HeadsetPage): Promise<void> {
   if (own) headset.placer?.entered({ ...own, room: state.welcome?.room ?? '' });
 }
 
-async function loadPanel({ headset, state, sound, sheets, standpoint, hubAddress }: HeadsetPage): Promise<void> {
+async function loadPanel({ headset, stage, state, sound, sheets, marking, standpoint, hubAddress }: HeadsetPage): Promise<void> {
   if (headset.panel) return;
-  const { HeadsetPanel, RoomPlacer } = await import('./xr/headset_panel');
+  const { HandLaser, HeadsetPanel, RoomPlacer } = await import('./xr/headset_panel');
   const placer = new RoomPlacer(store);
+  const laser = new HandLaser({
+    stage,
+    color: () => state.ownColor,
+    mayLeave: () => marking.mayMark,
+    leave: (mark) => void marking.leave(mark),
+  });
   const panel = new HeadsetPanel({
-    ...{ state, sound, sheets, hubAddress, comfort, placer },
+    ...{ state, sound, sheets, hubAddress, comfort, placer, laser },
     seesOwnRoom: () => headset.ownRoom !== undefined,
     comfortChanged: () => keepComfort(store, comfort),
     goToStart: () => headset.goTo(standpoint.startView.position),
@@ -75,7 +83,8 @@ async function loadPanel({ headset, state, sound, sheets, standpoint, hubAddress
   });
   headset.panel = panel;
   headset.placer = placer;
-  headset.root.add(panel.root, placer.root);
+  headset.laser = laser;
+  headset.root.add(panel.root, placer.root, laser.root);
 }
 
 /** Sets the screen's view to the wearer's last position. */

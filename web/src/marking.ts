@@ -111,7 +111,8 @@ export class Marking {
     return [clientWidth >> 1, clientHeight >> 1];
   }
 
-  private leave(mark: NewMark): boolean {
+  /** For everybody; false where there is no connection. */
+  leave(mark: NewMark): boolean {
     const isJoined = this.parts.state.connection.phase === 'joined';
     if (isJoined) this.events.leave(mark);
     if (isJoined && mark.kind !== MarkKind.PLACE) this.undo = 'due';

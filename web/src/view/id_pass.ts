@@ -7,10 +7,19 @@ import type { Stage } from './stage';
 
 export const nothing = -1;
 const around_px = 2;
+const beam_deg = 0.6; // how wide a beam is that meets surfaces
+const nearest_m = 0.05;
+const farthest_m = 30;
 
 /** Metres along the viewing direction at a pixel of what was read; 0: nothing. */
 function distanceIn(numbers: Uint8Array, pixel: number): number {
   return numbers[4 * pixel] ? (256 * numbers[4 * pixel + 1]! + numbers[4 * pixel + 2]!) / 1000 : 0;
+}
+
+/** Of the pixels that show something. */
+function medianIn(numbers: Uint8Array, pixels: number): number | undefined {
+  const distances_m = Array.from({ length: pixels }, (_, i) => distanceIn(numbers, i)).filter((d) => d > 0);
+  return distances_m.sort((a, b) => a - b)[distances_m.length >> 1];
 }
 
 export class IdPass {
@@ -43,10 +52,18 @@ export class IdPass {
     camera.setViewOffset(canvas.clientWidth, canvas.clientHeight, x - around_px, y - around_px, side, side);
     const numbers = this.readIds([...room.placed], side, side);
     camera.clearViewOffset();
-    const distances_m = Array.from({ length: side * side }, (_, i) => distanceIn(numbers, i)).filter((d) => d > 0);
-    const median_m = distances_m.sort((a, b) => a - b)[distances_m.length >> 1];
-    if (!median_m) return undefined;
-    return pixelRay(this.stage, x, y).multiplyScalar(median_m).add(camera.position);
+    const distance_m = medianIn(numbers, side * side);
+    return distance_m === undefined ? undefined : pixelRay(this.stage, x, y).multiplyScalar(distance_m).add(camera.position);
+  }
+
+  /** The same where a beam from a hand meets the room; also in a headset. `ahead` is one metre long. */
+  pointAlong(from: THREE.Vector3, ahead: THREE.Vector3): THREE.Vector3 | undefined {
+    const side = 2 * around_px + 1;
+    const camera = new THREE.PerspectiveCamera(beam_deg, 1, nearest_m, farthest_m);
+    camera.position.copy(from);
+    camera.lookAt(from.clone().add(ahead));
+    const distance_m = medianIn(this.readIds([...this.stage.room.placed], side, side, camera), side * side);
+    return distance_m === undefined ? undefined : ahead.clone().multiplyScalar(distance_m).add(from);
   }
 
   /** The point at every pixel of the picture as it is now, for many questions at once. Draws it once. */
@@ -63,7 +80,7 @@ export class IdPass {
     };
   }
 
-  private readIds(sensors: readonly [number, PlacedSensor][], width: number, height: number): Uint8Array {
+  private readIds(sensors: readonly [number, PlacedSensor][], width: number, height: number, camera = this.stage.camera): Uint8Array {
     const { isMixing, scene: room } = this.stage.room;
     const scene = new THREE.Scene();
     sensors.forEach(([, sensor], i) => {
@@ -71,7 +88,7 @@ export class IdPass {
       sensor.updateVisible(false);
       scene.add(sensor.surface.root);
     });
-    const numbers = this.readBack(scene, width, height);
+    const numbers = this.readBack(scene, camera, width, height);
     sensors.forEach(([, sensor]) => {
       sensor.surface.setId(0);
       sensor.updateVisible(isMixing);
@@ -80,17 +97,20 @@ export class IdPass {
     return numbers;
   }
 
-  private readBack(scene: THREE.Scene, width: number, height: number): Uint8Array {
-    const { renderer, camera } = this.stage;
+  private readBack(scene: THREE.Scene, camera: THREE.Camera, width: number, height: number): Uint8Array {
+    const { renderer } = this.stage;
+    const before = { target: renderer.getRenderTarget(), xr: renderer.xr.enabled };
     const target = new THREE.WebGLRenderTarget(width, height, { depthBuffer: true });
     const clear = renderer.getClearColor(new THREE.Color());
     renderer.setClearColor(0x000000, 0);
+    renderer.xr.enabled = false; // a headset's eyes would take the camera's place
     renderer.setRenderTarget(target);
     renderer.clear();
     renderer.render(scene, camera);
     const numbers = new Uint8Array(4 * width * height);
     renderer.readRenderTargetPixels(target, 0, 0, width, height, numbers);
-    renderer.setRenderTarget(null);
+    renderer.setRenderTarget(before.target);
+    renderer.xr.enabled = before.xr;
     renderer.setClearColor(clear);
     target.dispose();
     return numbers;

@@ -2,7 +2,7 @@
 // An active headset: enters and leaves, moves the wearer through the room, and reports head and hand poses. All poses
 // are in world coordinates: the session's reference space is offset by the wearer's place in the room.
 import * as THREE from 'three';
-import type { Body, PlainPose } from '../stream/protocol';
+import type { Body, PlainBeam, PlainPose } from '../stream/protocol';
 import { throwArc } from './arc';
 import { ArcView } from './arc_view';
 import { liftOf, narrowed, type Comfort } from './comfort';
@@ -36,6 +36,14 @@ export interface Placer {
   putDown(): void;
   release(): void;
   entered(own: { session: XRSession; floor: XRReferenceSpace; room: string }): void;
+  left(): void;
+}
+
+/** A beam from a hand (hand_laser.ts). */
+export interface Laser {
+  readonly isMeasuring: boolean;
+  update(now_ms: number, ray: readonly [THREE.Vector3, THREE.Vector3] | undefined): PlainBeam | undefined;
+  press(): boolean;
   left(): void;
 }
 
@@ -74,6 +82,7 @@ export class Headset {
   views: { eye: XREye; position: [number, number, number] }[] = []; // of the last picture
   panel: Pressable | undefined;
   placer: Placer | undefined;
+  laser: Laser | undefined;
   selects = 0; // triggers pulled and pinches made, in this session
   private readonly hands = [new HandView(), new HandView()] as const;
   private readonly arc = new ArcView();
@@ -87,6 +96,7 @@ export class Headset {
   private floor: XRReferenceSpace | undefined; // the wearer's physical floor
   private place: StandingPlace = { x: 0, y: 0, z: 0, yaw: 0 };
   private selecting: XRInputSource | undefined;
+  private gripped: XRInputSource | undefined; // its hand points
   private target: THREE.Vector3 | undefined; // on the floor, while aiming
   private teleports: THREE.Vector3 | undefined; // teleport with the next picture, when the head pose is known
   private lastFrame_ms = 0;
@@ -136,6 +146,8 @@ export class Headset {
     session.addEventListener('selectstart', ({ inputSource }) => this.selectWith(inputSource));
     session.addEventListener('selectend', () => this.letGo());
     session.addEventListener('select', () => this.selects++);
+    session.addEventListener('squeezestart', ({ inputSource }) => (this.gripped = inputSource));
+    session.addEventListener('squeezeend', () => (this.gripped = undefined));
     await this.xr.setSession(session);
     this.session = session;
     this.selects = 0;
@@ -174,13 +186,22 @@ export class Headset {
     this.narrow = narrowed(this.narrow, isMoved && this.comfort.narrowsView && !this.seesOwnRoom, seconds);
     this.frame.show(this.narrow, viewer.transform);
     const [left, right] = tracked.map((pose) => pose && plain(pose));
-    this.events.moved({ head: plain(viewer.transform), leftHand: left, rightHand: right });
+    const pointer = this.laser?.update(now_ms, this.pointingRay(tracked));
+    this.events.moved({ head: plain(viewer.transform), leftHand: left, rightHand: right, pointer });
   }
 
   private selectWith(source: XRInputSource): void {
     if (this.onPanel === sideOf(source)) this.panel?.press();
     else if (this.placer?.isOn) this.placer.putDown();
+    else if (this.laser?.press()) return;
     else this.selecting = source;
+  }
+
+  /** Of the hand that is to point, unless it points at the panel. */
+  private pointingRay(hands: (XRRigidTransform | undefined)[]): [THREE.Vector3, THREE.Vector3] | undefined {
+    const gripped = this.gripped && hands[sideOf(this.gripped)];
+    const hand = gripped ?? (this.laser?.isMeasuring ? (hands[1] ?? hands[0]) : undefined);
+    return hand && this.onPanel === undefined && !this.placer?.isOn ? rayOf(hand) : undefined;
   }
 
   private showPanel({ position: p, orientation: o }: XRRigidTransform, hands: (XRRigidTransform | undefined)[]): void {
@@ -282,8 +303,9 @@ export class Headset {
   }
 
   private end(): void {
-    this.session = this.floor = this.selecting = this.target = this.teleports = undefined;
+    this.session = this.floor = this.selecting = this.gripped = this.target = this.teleports = undefined;
     this.placer?.left();
+    this.laser?.left();
     this.views = [];
     this.root.visible = false;
     this.arc.hide();

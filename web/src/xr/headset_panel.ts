@@ -10,9 +10,11 @@ import type { Sound } from '../sound';
 import { headsetPanelTexts as texts } from '../headset_texts';
 import { Board } from './board';
 import type { Comfort } from './comfort';
+import type { HandLaser } from './hand_laser';
 import type { Placer } from './headset';
 import type { BoardButton, BoardSheet, SheetHolder } from './board_sheet';
 
+export { HandLaser } from './hand_laser';
 export { RoomPlacer } from './room_placer';
 
 const board_m = { ahead: 1.4, below: 0.1 };
@@ -34,6 +36,7 @@ export interface HeadsetPanelParts {
   comfortChanged(): void;
   placer: Pick<Placer, 'isOn'> & { begin(): void };
   seesOwnRoom(): boolean; // the wearer
+  laser: Pick<HandLaser, 'isMeasuring' | 'measure' | 'distance' | 'mayBeLeft' | 'leaveIt'>;
   goToStart(): void;
   leave(): void;
 }
@@ -114,13 +117,21 @@ export class HeadsetPanel {
   }
 
   private tileSheet(): BoardSheet {
-    const { placer } = this.parts;
+    const { placer, laser } = this.parts;
+    if (laser.isMeasuring) return this.measuringSheet();
     if (placer.isOn) return { title: '', words: [texts.placing], rows: [], press: () => undefined };
     const { bar } = this.parts.sheets;
     const buttons = [{ id: 'open', text: texts.open }, ...(bar?.rows.flatMap((row) => row.buttons) ?? [])];
     const words = [...this.troubles.slice(0, 1), ...(bar?.words ?? [])];
     const press = (id: string) => (id === 'open' ? void (this.isOpen = true) : bar?.press(id));
     return { title: '', words, rows: [{ buttons }], press };
+  }
+
+  private measuringSheet(): BoardSheet {
+    const { laser } = this.parts;
+    const buttons = [...(laser.mayBeLeft ? [{ id: 'leave', text: texts.leaveIt }] : []), { id: 'done', text: texts.measured }];
+    const press = (id: string) => (id === 'leave' ? laser.leaveIt() : laser.measure(false));
+    return { title: laser.distance, words: [texts.measuring], rows: [{ buttons }], press };
   }
 
   private menu(): BoardSheet {
@@ -133,6 +144,7 @@ export class HeadsetPanel {
     const more = others.length > mostPeople ? [texts.more(others.length - mostPeople)] : [];
     const own: BoardButton[] = [
       ...(sound.mayBeHeard ? [{ id: 'microphone', text: texts.microphone(sound.isOn), isOn: sound.isOn }] : []),
+      { id: 'measure', text: texts.measure },
       { id: 'start', text: texts.start },
       { id: 'leave', text: texts.leave },
       { id: 'close', text: texts.close },
@@ -159,6 +171,7 @@ export class HeadsetPanel {
       return this.parts.comfortChanged();
     }
     if (id === 'place') this.parts.placer.begin();
+    if (id === 'measure') this.parts.laser.measure(true);
     const person = /^person (\d+)$/.exec(id);
     if (person) {
       const viewer = Number(person[1]);
