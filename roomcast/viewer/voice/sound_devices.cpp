@@ -26,6 +26,14 @@ std::mutex& sdl_audio_mutex() {
   return mutex;
 }
 
+/// What SDL keeps of a thread, such as its last error, goes with the thread.
+struct SdlThread {
+  SdlThread() = default;
+  ~SdlThread() { SDL_TLSCleanup(); }
+  SdlThread(const SdlThread&) = delete;
+  SdlThread& operator=(const SdlThread&) = delete;
+};
+
 /// SDL's audio, for as long as a device needs it.
 class SdlAudio {
  public:
@@ -51,6 +59,7 @@ class SdlDevice {
  public:
   static Result<std::unique_ptr<SdlDevice>> open(const std::string& name,
                                                  SoundDirection direction) {
+    static thread_local const SdlThread kept_by_sdl;
     auto audio = SdlAudio::begin();
     if (!audio) return audio.error();
     SDL_AudioSpec wanted{};
