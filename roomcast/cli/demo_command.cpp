@@ -121,7 +121,7 @@ Totals totals_of(const Feeds& feeds) {
     const sensor::SensorFeedStats stats = feed->stats();
     totals.frames += stats.frames_sent;
     totals.bytes += stats.bytes_sent;
-    totals.is_watched |= stats.frames_wanted;
+    totals.is_watched |= stats.is_watched;
   }
   return totals;
 }

@@ -82,12 +82,14 @@ nlohmann::ordered_json status_json(const std::string& name, const sensor::Sensor
                                    const sensor::SensorFeedStats& before) {
   nlohmann::ordered_json json = {{"sensor", name},
                                  {"connected", now.source.is_connected},
-                                 {"watched", now.frames_wanted},
+                                 {"watched", now.is_watched},
+                                 {"seen", now.frames_wanted},
                                  {"frames_per_s", now.frames_sent - before.frames_sent},
                                  {"bytes_per_s", now.bytes_sent - before.bytes_sent},
                                  {"frames_sent", now.frames_sent},
                                  {"frames_lost", now.source.frames_lost},
                                  {"unplugged", now.source.disconnect_count}};
+  if (now.room_mbit > 0) json["room_mbit"] = now.room_mbit;
   if (now.line_mbit_per_s > 0) json["line_mbit_per_s"] = now.line_mbit_per_s;
   if (now.microphone) json["microphone"] = microphone_json(*now.microphone);
   if (now.interference.is_known) {
@@ -105,7 +107,8 @@ std::string status_text(const std::string& name, const sensor::SensorFeedStats& 
       static_cast<double>(now.bytes_sent - before.bytes_sent) / 1e6, now.frames_sent);
   if (now.line_mbit_per_s > 0)
     text += fmt::format(", the line carries {:.1f} Mbit/s", now.line_mbit_per_s);
-  if (!now.frames_wanted) text += ", nobody watches";
+  if (now.room_mbit > 0) text += fmt::format(", the room gives it {:.2f} Mbit/s", now.room_mbit);
+  if (!now.frames_wanted) text += now.is_watched ? ", nobody looks at it" : ", nobody watches";
   if (now.source.frames_lost > 0) text += fmt::format(", {} lost", now.source.frames_lost);
   if (now.source.disconnect_count > 0)
     text += fmt::format(", unplugged {} times", now.source.disconnect_count);
@@ -228,6 +231,7 @@ Status run_sensor(SensorCommandOptions options) {
       return sound::open_microphone(audio, loops);
     };
   if (!options.frame_log.empty()) options.feed.frame_log = options.frame_log;
+  options.feed.follows_rate = !options.no_remote_settings;
   options.feed.send_unwatched = options.always || options.once;
   options.feed.stop = stop.token();
   sensor::SettingsMailbox requests;
@@ -278,8 +282,10 @@ void add_sensor_command(CLI::App& app, Command& chosen) {
   command->add_flag("--keep-holes", options->keep_holes,
                     "With --codec live: do not fill the holes of large planes, such as glossy "
                     "floors");
-  command->add_flag("--no-remote-settings", options->no_remote_settings,
-                    "Let no admin of the room change codec and rate, or restart this sensor");
+  command->add_flag(
+      "--no-remote-settings", options->no_remote_settings,
+      "Let no admin of the room change codec and rate, or restart this sensor, and do "
+      "not keep to a share of the room's uplink");
   command->add_flag("--json", options->json,
                     "Print a line of JSON each second instead of a status");
   command->add_flag("--once", options->once,

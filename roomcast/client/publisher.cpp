@@ -21,8 +21,14 @@ Result<std::unique_ptr<Publisher>> Publisher::open(PublisherOptions options) {
   return std::unique_ptr<Publisher>(new Publisher(std::move(link)));
 }
 
+Publisher::Demand Publisher::demand() const {
+  return link_->demand();
+}
 bool Publisher::frames_wanted() const {
   return link_->frames_wanted();
+}
+void Publisher::set_pace(std::optional<double> payload_bytes_per_s) {
+  link_->set_pace(payload_bytes_per_s);
 }
 void Publisher::wait_until_wanted(std::chrono::milliseconds patience, const std::stop_token& stop) {
   link_->wait_until_wanted(patience, stop);

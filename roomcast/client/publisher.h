@@ -40,6 +40,7 @@ struct PublisherOptions {
   bool send_unwatched = false;         // frames are wanted while nobody watches, too
   std::optional<net::Pace> pace = {};  // of what is sent; nothing: as the network allows
   bool estimate_uplink = false;  // and send at the pace that the line carries; not with `pace`
+  bool follows_rate = false;     // it keeps to the rate that the hub gives it: demand()
   bool wait_for_hub = false;     // keep trying if there is no hub at first; else open() fails
   /// How this sensor sends, and what an admin's request for other settings goes to, on the
   /// network's thread; nothing: it takes no requests.
@@ -69,9 +70,21 @@ class Publisher {
   static Result<std::unique_ptr<Publisher>> open(PublisherOptions options);
   ~Publisher();
 
-  /// Whether anybody receives this sensor's frames, by the hub's word. True without a connection,
-  /// and with `send_unwatched`. Thread-safe.
+  /// What the hub wants of this sensor.
+  struct Demand {
+    bool is_watched = true;  // somebody is in the room, or records it
+    bool is_seen = true;     // and sees what this sensor shows
+    bool base_only = false;  // and needs layer 0 only
+    double mbit = 0;         // the sensor's share of the room's uplink, Mbit/s; 0: any rate
+  };
+  /// By the hub's last word. Everything is wanted without a connection, and with `send_unwatched`,
+  /// except for the rate. Thread-safe.
+  [[nodiscard]] Demand demand() const;
+  /// Whether anybody receives this sensor's frames. Thread-safe.
   [[nodiscard]] bool frames_wanted() const;
+  /// Sends at most at this pace from now on, on later connections too; nothing: as the network
+  /// allows.
+  void set_pace(std::optional<double> payload_bytes_per_s);
   /// Waits until frames are wanted, at most `patience`. Also returns when `stop` is requested or
   /// the connection has ended for good.
   void wait_until_wanted(std::chrono::milliseconds patience, const std::stop_token& stop);

@@ -13,6 +13,15 @@ std::uint32_t clock_error_us(nanoseconds error) {
   return us < wire::kClockErrorUnknown ? static_cast<std::uint32_t>(us) : wire::kClockErrorUnknown;
 }
 
+Publisher::Demand demand_from(const wire::pb::FrameDemand& message, bool send_always) {
+  Publisher::Demand demand{.mbit = message.mbit()};
+  if (send_always) return demand;
+  demand.is_watched = message.wanted();
+  demand.is_seen = !message.unseen();
+  demand.base_only = message.base_only();
+  return demand;
+}
+
 }  // namespace
 
 void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
@@ -24,13 +33,14 @@ void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
   if (moved_ && (!bundle_ || options_.world_from_depth)) link_.send(moved_message());
   if (bundle_) link_.send(*bundle_);
   if (options_.estimate_uplink) uplink_.start();
+  if (paced_by_hub_) link_.set_pace(*paced_by_hub_);
   {
     std::lock_guard lock(mutex_);
     ++shared_.session;
     shared_.sensor = SensorId{static_cast<std::uint16_t>(welcome.sensor_id())};
     shared_.connected = true;
     shared_.want_key = true;
-    shared_.frames_wanted = true;
+    shared_.demand = {};
     shared_.may_speak = welcome.may_speak();
     shared_.wanted_sightings.Clear();
     shared_.clock.reset();
@@ -51,9 +61,10 @@ void Publisher::Link::on_control(const wire::pb::Control& message) {
     if (message.has_key_request()) shared_.want_key = true;
     if (message.has_sighting_request()) shared_.wanted_sightings = message.sighting_request();
     if (message.has_depth_scale()) shared_.depth_scale = message.depth_scale().factor();
-    if (!message.has_frame_demand() || options_.send_unwatched) return;
-    const bool was_wanted = std::exchange(shared_.frames_wanted, message.frame_demand().wanted());
-    if (shared_.frames_wanted && !was_wanted) shared_.want_key = true;  // its viewers are new
+    if (!message.has_frame_demand()) return;
+    const bool was_wanted = shared_.frames_wanted();
+    shared_.demand = demand_from(message.frame_demand(), options_.send_unwatched);
+    if (shared_.frames_wanted() && !was_wanted) shared_.want_key = true;  // its viewers are new
   }
   changed_.notify_all();
 }
@@ -88,7 +99,7 @@ void Publisher::Link::on_down(const Error& reason, bool final) {
   {
     std::lock_guard lock(mutex_);
     is_news = std::exchange(shared_.connected, false);
-    shared_.frames_wanted = true;
+    shared_.demand = {};
     shared_.down = reason;
     if (final) shared_.failure = reason;
   }

@@ -3,6 +3,7 @@
 // what both threads use is guarded by its mutex.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <deque>
@@ -32,7 +33,10 @@ class Publisher::Link final : public HubLinkEvents {
         link_(network_.io(), std::move(hubs), join_message(options_), *this,
               {.pace = options_.pace}),
         uplink_(network_.io(), {.state = [this] { return link_.line_state(); },
-                                .set_pace = [this](double pace) { link_.set_pace(pace); }}) {
+                                .set_pace =
+                                    [this](double pace) {
+                                      link_.set_pace(std::min(pace, paced_by_hub_.value_or(pace)));
+                                    }}) {
     link_.start();
     network_.start();
   }
@@ -54,15 +58,25 @@ class Publisher::Link final : public HubLinkEvents {
     return shared_.down ? *shared_.down : stopped_waiting();
   }
 
+  Demand demand() const {
+    std::lock_guard lock(mutex_);
+    return shared_.demand;
+  }
   bool frames_wanted() const {
     std::lock_guard lock(mutex_);
-    return shared_.frames_wanted;
+    return shared_.frames_wanted();
+  }
+  void set_pace(std::optional<double> payload_bytes_per_s) {
+    boost::asio::post(network_.io(), [this, pace = payload_bytes_per_s] {
+      paced_by_hub_ = pace;
+      link_.set_pace(pace.value_or(kUnlimited));
+    });
   }
   void wait_until_wanted(std::chrono::milliseconds patience, const std::stop_token& stop) {
     const StopNotice notice(stop, mutex_, changed_);
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, patience, [&] {
-      return shared_.frames_wanted || shared_.failure || stop.stop_requested();
+      return shared_.frames_wanted() || shared_.failure || stop.stop_requested();
     });
   }
 
@@ -162,7 +176,7 @@ class Publisher::Link final : public HubLinkEvents {
     SensorId sensor{};
     bool connected = false;
     bool want_key = false;
-    bool frames_wanted = true;
+    Demand demand;
     bool may_speak = false;
     wire::pb::SightingRequest wanted_sightings;
     std::optional<double> depth_scale;
@@ -171,7 +185,10 @@ class Publisher::Link final : public HubLinkEvents {
     std::optional<Error> down;                 // why there is no connection now
     std::optional<Error> failure;              // why the connection ended for good
     PublisherStats stats;
+
+    [[nodiscard]] bool frames_wanted() const { return demand.is_watched && demand.is_seen; }
   };
+  static constexpr double kUnlimited = 4e9;  // bytes per second
 
   std::optional<wire::FrameHeader> make_header(const Turn& turn,
                                                const codec::EncodedFrameInfo& info,
@@ -196,6 +213,7 @@ class Publisher::Link final : public HubLinkEvents {
   NetworkThread network_;
   std::deque<net::FramedMessagePtr> unsent_;
   VoiceSender voice_;
+  std::optional<double> paced_by_hub_;  // payload bytes per second
   std::optional<wire::pb::Control> bundle_;
   bool moved_ = false;  // true since the first move
   HubLink link_;

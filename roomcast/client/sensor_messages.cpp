@@ -16,6 +16,7 @@ wire::pb::Join join_message(const PublisherOptions& options) {
   *sensor.mutable_calibration() = message_from_calibration(options.calibration);
   if (options.world_from_depth)
     wire::write_transform(*options.world_from_depth, *sensor.mutable_world_from_depth());
+  sensor.set_follows_rate(options.follows_rate);
   if (options.settings) *sensor.mutable_settings() = *options.settings;
   return join;
 }

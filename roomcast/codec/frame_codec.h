@@ -42,6 +42,13 @@ class FrameEncoder {
   /// effect. A single frame may be larger or smaller.
   virtual void set_target(const FrameTarget& target) = 0;
 
+  /// From the next frame on: only frames of layer 0, or those of all layers again. The caller gives
+  /// fewer frames meanwhile.
+  virtual void set_base_only(bool base_only) = 0;
+
+  /// As FrameEncoderOptions::key_interval_s, from the next frame on.
+  virtual void set_key_interval(double seconds) = 0;
+
   /// Depth of the newest frame as decoders will show it. Valid until the next call, and only as
   /// long as the encoded picture exists.
   [[nodiscard]] virtual DepthView decoded_depth() const = 0;

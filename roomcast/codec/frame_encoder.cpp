@@ -24,8 +24,8 @@ constexpr int kMovingSensorBound_mm =
 constexpr double kKeyStepShare = 0.6;
 
 /// Frames from one key frame to the next.
-int key_interval(const FrameEncoderOptions& options) {
-  return std::max(1, static_cast<int>(std::lround(options.key_interval_s * options.fps)));
+int key_interval(double seconds, double fps) {
+  return std::max(1, static_cast<int>(std::lround(seconds * fps)));
 }
 
 class SectionFrameEncoder final : public FrameEncoder {
@@ -33,7 +33,7 @@ class SectionFrameEncoder final : public FrameEncoder {
   explicit SectionFrameEncoder(const FrameEncoderOptions& options)
       : options_(options),
         mode_(options.depth_mode),
-        schedule_(options.temporal_layers, key_interval(options)) {
+        schedule_(options.temporal_layers, key_interval(options.key_interval_s, options.fps)) {
     if (options.depth_mode == DepthMode::kLive) {
       live_ = std::make_unique<LiveDepthEncoder>(LiveDepthOptions{options.width, options.height});
     }
@@ -71,7 +71,19 @@ class SectionFrameEncoder final : public FrameEncoder {
     if (color_) (void)color_->set_rate(options_.color_kbit_per_s);
   }
 
-  void set_target(const FrameTarget& target) override { quality_.set_target(target); }
+  void set_target(const FrameTarget& target) override {
+    quality_.set_target(target);
+    const LiveDepthOptions usual;
+    if (live_ && !quality_.has_target()) live_->set_steps(usual.step, usual.key_step);
+  }
+
+  void set_base_only(bool base_only) override {
+    schedule_.set_layers(base_only ? 1 : options_.temporal_layers);
+  }
+
+  void set_key_interval(double seconds) override {
+    schedule_.set_key_interval(key_interval(seconds, options_.fps));
+  }
 
   [[nodiscard]] DepthView decoded_depth() const override {
     switch (mode_) {

@@ -68,7 +68,7 @@ void RoomMicrophone::take(const sound::Microphone::Block& block) {
     stats.is_permitted = is_permitted;
     stats.loudness = sound::loudness_of(block);
   });
-  if (!is_permitted || !publisher_.frames_wanted()) return pause();
+  if (!is_permitted || !publisher_.demand().is_watched) return pause();
   constexpr std::chrono::milliseconds kLength{20};
   auto packets = voice_.say(block.samples, block.first_sample + kLength);
   if (!packets) return;  // a device that gives more than real time: only some of it is heard

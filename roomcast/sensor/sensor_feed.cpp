@@ -40,6 +40,7 @@ client::PublisherOptions publisher_options(const source::SensorDescription& sens
   if (feed.send_pose) options.world_from_depth = sensor.world_from_depth;
   options.fps = sensor.fps;
   options.send_unwatched = feed.send_unwatched;
+  options.follows_rate = feed.follows_rate;
   options.wait_for_hub = feed.wait_for_hub;
   options.log = feed.log;
   options.stop = feed.stop;
@@ -74,7 +75,7 @@ class SensorFeed::Worker {
   void run(const std::stop_token& stop) {
     Status status;
     while (status && !stop.stop_requested()) {
-      rest_while_unwatched(stop);
+      rest_while_unwanted(stop);
       auto more = source_->next(captured_, stop);
       if (!more) {
         status = more.error();
@@ -101,12 +102,15 @@ class SensorFeed::Worker {
 
   SensorFeedStats stats() const {
     const client::PublisherStats sent = sender_->publisher().stats();
+    const client::Publisher::Demand demand = sender_->publisher().demand();
     std::lock_guard lock(mutex_);
     return {
         sent.frames_sent,
         sent.frames_skipped,
         sent.bytes_sent,
-        sender_->publisher().frames_wanted(),
+        demand.is_watched,
+        demand.is_watched && demand.is_seen,
+        demand.mbit,
         source_->health(),
         figures_,
         net::line_mbit_per_s(sender_->publisher().uplink().value_or(client::Uplink()).bytes_per_s),
@@ -127,7 +131,7 @@ class SensorFeed::Worker {
   }
 
   /// Waits until the next frame is needed.
-  void rest_while_unwatched(const std::stop_token& stop) {
+  void rest_while_unwanted(const std::stop_token& stop) {
     const bool is_idle = may_idle();
     if (std::exchange(is_idle_, is_idle) != is_idle) source_->set_idle(is_idle);
     if (is_idle) sender_->publisher().wait_until_wanted(kIdleInterval, stop);
@@ -152,7 +156,7 @@ class SensorFeed::Worker {
     if (news->bundle) sender_->publisher().send_bundle(*std::move(news->bundle));
     if (news->moved || news->bundle) stand(bundle_.bundle());
     report_sightings();
-    if (sender_->publisher().frames_wanted()) report_coarse_depth();
+    if (sender_->publisher().demand().is_watched) report_coarse_depth();
   }
 
   void report_coarse_depth() {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SensorFeed: the capture pipeline of a sensor, the paper's Algorithm 1 from end to end: capture,
-// map colour into the depth grid, compress, send. While nobody watches the room, the feed captures
-// a few frames a second, by which it notices that the sensor is moved, and sends none. A
-// microphone's sound goes along. Threading: runs on a thread of its own; the methods are
-// thread-safe.
+// map colour into the depth grid, compress, send. While nobody watches the room, or nobody there
+// sees what the sensor shows, the feed captures a few frames a second, by which it notices that the
+// sensor is moved, and sends none. A microphone's sound goes along while somebody watches.
+// Threading: runs on a thread of its own; the methods are thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -34,6 +34,7 @@ struct SensorFeedOptions {
   std::string name;  // empty: the source's own
   CodecChoice codec;
   bool send_unwatched = false;  // send frames while nobody watches, too
+  bool follows_rate = true;     // in live mode: keep to the share of the room's uplink
   bool wait_for_hub = false;
   bool filter_interference = true;  // live mode only; other modes send depth as it comes
   bool complete_planes = true;      // likewise: depth where a large plane returns none
@@ -54,7 +55,9 @@ struct SensorFeedStats {
   std::uint64_t frames_sent = 0;
   std::uint64_t frames_skipped = 0;
   std::uint64_t bytes_sent = 0;
-  bool frames_wanted = true;  // false: nobody watches, and no frames are sent
+  bool is_watched = true;     // false: nobody watches the room
+  bool frames_wanted = true;  // false: nobody watches or sees it, and no frames are sent
+  double room_mbit = 0;       // its share of the room's uplink, Mbit/s; 0: any rate
   source::SourceHealth source;
   InterferenceFigures interference;
   /// What the line to the hub carries, with headers of TCP and IP, by estimate; 0: not estimated.

@@ -141,6 +141,52 @@ TEST_F(SensorFeedTest, the_first_viewer_gets_a_key_frame_without_a_gap_in_the_nu
   EXPECT_FALSE(source.is_idle);
 }
 
+TEST_F(SensorFeedTest, while_nobody_sees_it_it_sends_no_frames_but_tells_what_it_sees) {
+  ASSERT_TRUE(soon([&] { return frames_at_hub().size() > 3; }));
+  wire::pb::Control demand;
+  demand.mutable_frame_demand()->set_wanted(true);
+  demand.mutable_frame_demand()->set_unseen(true);
+  say(demand);
+  ASSERT_TRUE(soon([&] { return source.is_idle.load(); }));
+  EXPECT_TRUE(feed->stats().is_watched);
+  EXPECT_FALSE(feed->stats().frames_wanted);
+  const auto depths_at_hub = [&] {
+    std::promise<std::ptrdiff_t> answer;
+    boost::asio::post(network.io(), [&] {
+      answer.set_value(std::ranges::count_if(
+          hub->heard, [](const auto& control) { return control.has_coarse_depth(); }));
+    });
+    return answer.get_future().get();
+  };
+  const auto told = depths_at_hub();
+  const auto before = frames_at_hub();
+  EXPECT_TRUE(soon([&] { return depths_at_hub() > told; }));
+  EXPECT_EQ(frames_at_hub().size(), before.size());
+  demand.mutable_frame_demand()->set_unseen(false);
+  say(demand);
+  std::vector<wire::FrameHeader> after;
+  ASSERT_TRUE(soon([&] { return (after = frames_at_hub()).size() > before.size(); }));
+  EXPECT_TRUE(after[before.size()].key);
+}
+
+TEST_F(SensorFeedTest, where_layer_0_suffices_it_sends_no_other) {
+  wire::pb::Control demand;
+  demand.mutable_frame_demand()->set_wanted(true);
+  demand.mutable_frame_demand()->set_base_only(true);
+  ASSERT_TRUE(soon([&] { return frames_at_hub().size() > 3; }));
+  say(demand);
+  const auto newest_are = [&](std::uint8_t layer) {
+    const auto frames = frames_at_hub();
+    return frames.size() > 6 && std::all_of(frames.end() - 6, frames.end(), [&](const auto& frame) {
+             return frame.layer == layer;
+           });
+  };
+  EXPECT_TRUE(soon([&] { return newest_are(0); }));
+  demand.mutable_frame_demand()->set_base_only(false);
+  say(demand);
+  EXPECT_TRUE(soon([&] { return !newest_are(0); }));
+}
+
 TEST_F(SensorFeedTest, while_sightings_are_requested_it_captures_at_its_full_rate) {
   wire::pb::Control request;
   request.mutable_sighting_request()->set_heads(true);

@@ -351,6 +351,8 @@ Status check_control(const pb::Control& control) {
       return check_health(control.sensor_health());
     case pb::Control::kCoarseDepth:
       return check_coarse_depth(control.coarse_depth());
+    case pb::Control::kFrameDemand:
+      return check_frame_demand(control.frame_demand());
     case pb::Control::kUnseenSensors:
       return check_unseen_sensors(control.unseen_sensors());
     case pb::Control::kCalibrationBundle:
@@ -385,7 +387,6 @@ Status check_control(const pb::Control& control) {
     case pb::Control::kGuide:
     case pb::Control::kSetEnd:
     case pb::Control::kSightingRequest:
-    case pb::Control::kFrameDemand:
     case pb::Control::kSensorMoved:
     case pb::Control::kClockPing:
     case pb::Control::kClockPong:

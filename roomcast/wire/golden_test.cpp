@@ -121,6 +121,9 @@ void add_visibility_messages(std::vector<GoldenMessage>& messages) {
                      R"({"coarseDepth":{"columns":2,"rows":1,"nearCm":[120,0],"farCm":[300,0]}})"));
   messages.push_back(golden_control("control_unseen_sensors",
                                     R"({"unseenSensors":{"baseOnly":[1],"paused":[0,300]}})"));
+  messages.push_back(golden_control(
+      "control_frame_demand",
+      R"({"frameDemand":{"wanted":true,"unseen":true,"baseOnly":true,"mbit":1.5}})"));
   messages.push_back(
       golden_control("control_set_end", R"({"setEnd":{"setId":"18446744073709551615"}})"));
 }

@@ -28,6 +28,13 @@ Status check_unseen_sensors(const pb::UnseenSensors& unseen) {
   return {};
 }
 
+Status check_frame_demand(const pb::FrameDemand& demand) {
+  const bool is_rate = demand.mbit() >= 0 && demand.mbit() <= kMaxTargetMbit;  // false for NaN
+  if (!is_rate)
+    return malformed_visibility("a sensor's share of an uplink must be 0 to 1000 Mbit/s");
+  return {};
+}
+
 Status check_view_half_angle(float angle_rad) {
   const bool is_angle = angle_rad >= 0 && angle_rad <= kMaxViewHalfAngle_rad;  // false for NaN
   if (!is_angle) return malformed_visibility("half an angle of view must be 0 to pi");

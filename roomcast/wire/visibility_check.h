@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the messages about what viewers can see: docs/spec/wire.md §3 and §4.
+// Checks the messages about what viewers can see, and what sensors send for it: docs/spec/wire.md
+// §3 and §4.
 #pragma once
 
 #include "roomcast/core/result.h"
@@ -9,6 +10,7 @@ namespace roomcast::wire {
 
 [[nodiscard]] Status check_coarse_depth(const pb::CoarseDepth& depth);
 [[nodiscard]] Status check_unseen_sensors(const pb::UnseenSensors& unseen);
+[[nodiscard]] Status check_frame_demand(const pb::FrameDemand& demand);
 /// Of a ViewerPose; 0: unknown.
 [[nodiscard]] Status check_view_half_angle(float angle_rad);
 

@@ -63,5 +63,17 @@ TEST(VisibilityCheck, half_an_angle_of_view_is_at_most_half_a_turn) {
   }
 }
 
+TEST(VisibilityCheck, a_share_of_an_uplink_is_a_rate) {
+  pb::Control control;
+  for (const double mbit : {0.0, 0.1, 1000.0}) {
+    control.mutable_frame_demand()->set_mbit(mbit);
+    EXPECT_TRUE(check_control(control)) << mbit;
+  }
+  for (const double mbit : {-1.0, 1001.0, std::numeric_limits<double>::quiet_NaN()}) {
+    control.mutable_frame_demand()->set_mbit(mbit);
+    EXPECT_FALSE(check_control(control)) << mbit;
+  }
+}
+
 }  // namespace
 }  // namespace roomcast::wire

@@ -33,6 +33,8 @@ export const consoleTexts = {
     then: (value: string, age_s: number) => (age_s === 0 ? value : `${value}, ${age_s} s ago`),
   },
   clock: (error_ms: number) => `clock known to ±${Math.max(0.1, error_ms).toFixed(error_ms < 10 ? 1 : 0)} ms`,
+  unseen: 'nobody looks at it, so it sends no frames',
+  share: (mbit: number) => `${mbit.toFixed(mbit < 10 ? 2 : 0)} Mbit/s of the room’s uplink`,
   clockUnknown: 'clock not known yet',
   interference: {
     none: 'no interference by other infrared cameras',
@@ -110,6 +112,7 @@ export const consoleTexts = {
     title: 'Shown name',
     maxViewers: 'Maximum viewers',
     maxSensors: 'Maximum sensors',
+    uplink: 'Uplink that all sensors share, Mbit/s; 0: no limit',
     recordVoices: 'Recordings have people’s voices',
     listed: 'Listed: shown to people without a token',
     embedFrom: 'Web sites whose pages may show this room, as in https://example.org; spaces between them',

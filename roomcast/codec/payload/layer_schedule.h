@@ -21,6 +21,10 @@ class LayerSchedule {
   /// `layers` 1..3; a key frame at least every `key_interval` frames.
   LayerSchedule(int layers, int key_interval) : layers_(layers), key_interval_(key_interval) {}
 
+  /// From the next frame on.
+  void set_layers(int layers) { layers_ = layers; }
+  void set_key_interval(int frames) { key_interval_ = frames; }
+
   /// The first frame is a key frame.
   [[nodiscard]] FrameRole next(bool want_key) {
     if (want_key || since_key_ < 0 || since_key_ + 1 >= key_interval_) {

@@ -34,5 +34,21 @@ TEST(LayerSchedule, a_wanted_key_frame_starts_the_interval_anew) {
   EXPECT_EQ(roles(2, 4, 9, 2), "K1K101K10");
 }
 
+TEST(LayerSchedule, layers_and_the_interval_can_be_changed) {
+  LayerSchedule schedule(2, 100);
+  const auto next = [&schedule] {
+    const FrameRole role = schedule.next(false);
+    return role.key ? 'K' : static_cast<char>('0' + role.layer);
+  };
+  std::string text;
+  for (int i = 0; i < 4; ++i) text += next();
+  schedule.set_layers(1);
+  for (int i = 0; i < 3; ++i) text += next();
+  schedule.set_layers(2);
+  schedule.set_key_interval(10);
+  for (int i = 0; i < 5; ++i) text += next();
+  EXPECT_EQ(text, "K101000101K1");
+}
+
 }  // namespace
 }  // namespace roomcast::codec

@@ -120,6 +120,8 @@ Json sensor_json(const SensorStats& sensor, const std::string& address) {
                {"bytes", sensor.bytes},
                {"frames_per_second", sensor.frames_per_s},
                {"bytes_per_second", sensor.bytes_per_s},
+               {"unseen", sensor.is_unseen},
+               {"share_mbit", sensor.share_mbit},
                {"delay_ms", sensor.delay_s * 1000},
                {"placement", placement_name(sensor.pose)},
                {"placement_note", sensor.pose.note},

@@ -135,6 +135,7 @@ std::map<std::string, Reader> readers_into(RoomSettings& s) {
           {"mark", into(s.mark)},
           {"record_voices", into(s.record_voices)},
           {"stream_unwatched", into(s.stream_unwatched)},
+          {"uplink_mbit", into(s.uplink_mbit)},
           {"start_positions", into(s.start_positions)},
           {"embed_from", into(s.embed_from)}};
 }
@@ -180,6 +181,9 @@ Status check(const RoomSettings& settings) {
   if (!within(settings.max_viewers, wire::kMaxViewers)) {
     return invalid_argument("max_viewers is 1 to " + std::to_string(wire::kMaxViewers));
   }
+  const double uplink = settings.uplink_mbit;
+  if (uplink != 0 && !(uplink >= kMinUplink_mbit && uplink <= kMaxUplink_mbit))
+    return invalid_argument("uplink_mbit is 0.1 to 1000, or 0: no limit");
   return {};
 }
 
@@ -199,6 +203,7 @@ Json to_json(const RoomSettings& settings) {
           {"mark", name_of(settings.mark)},
           {"record_voices", settings.record_voices},
           {"stream_unwatched", settings.stream_unwatched},
+          {"uplink_mbit", settings.uplink_mbit},
           {"start_positions", std::move(positions)},
           {"embed_from", settings.embed_from}};
 }

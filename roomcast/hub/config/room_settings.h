@@ -50,15 +50,17 @@ struct RoomSettings {
   AccessRule send = AccessRule::kAnyone;
   AccessRule view = AccessRule::kAnyone;
   AccessRule record = AccessRule::kAnyone;
-  AccessRule share = AccessRule::kAnyone;           // "export" in JSON
-  AccessRule speak = AccessRule::kAnyone;           // of those who may view
-  AccessRule mark = AccessRule::kAnyone;            // leave marks
-  bool record_voices = true;                        // recorders get people's voices, too
+  AccessRule share = AccessRule::kAnyone;  // "export" in JSON
+  AccessRule speak = AccessRule::kAnyone;  // of those who may view
+  AccessRule mark = AccessRule::kAnyone;   // leave marks
+  bool record_voices = true;               // recorders get people's voices, too
+  double uplink_mbit = 0;  // that the sensors share, Mbit/s; 0: they send as they were started
   bool stream_unwatched = false;                    // sensors send frames while nobody watches, too
   std::vector<StartPosition> start_positions = {};  // used in turn; none: next to the sensors
   std::vector<std::string> embed_from = {};         // web sites whose pages may show this room
 };
 
+inline constexpr double kMinUplink_mbit = 0.1, kMaxUplink_mbit = 1000;
 inline constexpr std::size_t kMaxStartPositions = 64;
 inline constexpr std::size_t kMaxEmbedSites = 16;
 

@@ -95,5 +95,17 @@ TEST(RoomSettings, a_start_position_has_its_heading) {
       << "a quarter turn counter-clockwise looks along -x";
 }
 
+TEST(RoomSettings, an_uplink_is_a_tenth_to_a_thousand_or_none) {
+  for (const double mbit : {0.0, 0.1, 8.0, 1000.0}) {
+    const auto set = changed(RoomSettings(), {{"uplink_mbit", mbit}});
+    ASSERT_TRUE(set.ok()) << mbit;
+    EXPECT_EQ(set->uplink_mbit, mbit);
+    EXPECT_EQ(to_json(*set)["uplink_mbit"], mbit);
+  }
+  for (const double mbit : {-1.0, 0.05, 1001.0})
+    EXPECT_FALSE(changed(RoomSettings(), {{"uplink_mbit", mbit}}).ok()) << mbit;
+  EXPECT_FALSE(changed(RoomSettings(), {{"uplink_mbit", "fast"}}).ok());
+}
+
 }  // namespace
 }  // namespace roomcast::hub

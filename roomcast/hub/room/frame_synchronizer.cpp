@@ -29,6 +29,14 @@ void FrameSynchronizer::add_sensor(SensorId sensor, double fps, std::uint64_t ot
   follow_rate();
 }
 
+void FrameSynchronizer::pause_sensor(SensorId sensor, bool is_paused) {
+  const auto found = sensors_.find(sensor);
+  if (found == sensors_.end() || found->second.is_paused == is_paused) return;
+  found->second.is_paused = is_paused;
+  found->second.last.reset();
+  found->second.gaps = {};
+}
+
 void FrameSynchronizer::remove_sensor(SensorId sensor) {
   const auto found = sensors_.find(sensor);
   if (found == sensors_.end()) return;
@@ -62,6 +70,12 @@ FrameSynchronizer::Slot FrameSynchronizer::natural_slot(RoomTime capture) const 
   return static_cast<Slot>(std::floor(periods + 0.5));
 }
 
+/// The time between two frames of a sensor: by its rate, or longer if its last frames were. A
+/// sensor sends fewer frames on a line that carries no more, or while layer 0 suffices.
+nanoseconds FrameSynchronizer::interval_of(const Sensor& sensor) {
+  return std::max(period_of(sensor.fps), std::min(sensor.gaps[0], sensor.gaps[1]));
+}
+
 // A frame too late for its own set goes into the next open one. If the phase of a sensor falls on
 // the border between two slots, two frames can fall into one slot; the second then goes into the
 // next. A sensor that catches up, for example after a network stall, may have several frames in a
@@ -88,6 +102,7 @@ bool FrameSynchronizer::add_frame(const wire::FrameHeader& header, net::MessageB
   const bool is_late = newest_closed_ && natural_slot(header.capture_time) <= *newest_closed_;
   const bool joins_own = sensor.last && sensor.last->slot == *slot;
   const std::size_t frames_in_slot = joins_own ? sensor.last->frames_in_slot + 1 : 1;
+  if (sensor.last) sensor.gaps = {header.capture_time - sensor.last->capture_time, sensor.gaps[0]};
   sensor.last = Sensor::Delivery{*slot, is_late, frames_in_slot, header.capture_time, now};
   if (sensor.other_hub != 0) note_closing(sensor.other_hub, *slot, header.last);
   const auto [set, is_new] = open_.try_emplace(*slot);
@@ -114,12 +129,13 @@ void FrameSynchronizer::note_closing(std::uint64_t other_hub, Slot slot, bool is
 // other sensors are awaited as usual.
 bool FrameSynchronizer::is_due(const Sensor& sensor, Slot slot, RoomTime deadline,
                                RoomTime now) const {
-  if (!sensor.last || now - sensor.last->arrival_time > wire::kSensorSilent) return false;
+  if (sensor.is_paused || !sensor.last) return false;
+  if (now - sensor.last->arrival_time > wire::kSensorSilent) return false;
   const auto hub = other_hubs_.find(sensor.other_hub);
   if (hub != other_hubs_.end() && slot <= hub->second.closed) return false;
   const auto& last = *sensor.last;
   const bool has_delivered = last.slot > slot || (last.slot == slot && !last.is_late);
-  if (has_delivered || natural_slot(last.capture_time + period_of(sensor.fps)) > slot) return false;
+  if (has_delivered || natural_slot(last.capture_time + interval_of(sensor)) > slot) return false;
   if (slot > natural_slot(now)) return true;
   const nanoseconds on_the_way = last.arrival_time - last.capture_time;
   return RoomTime(slot * period_) + on_the_way <= deadline;

@@ -5,6 +5,7 @@
 // Memory is bounded by the two limits below.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -34,6 +35,9 @@ class FrameSynchronizer {
   /// Removes a sensor; sets no longer wait for it.
   void remove_sensor(SensorId sensor);
 
+  /// Sets do not wait for the sensor while it is paused, nor from then on before its next frame.
+  void pause_sensor(SensorId sensor, bool is_paused);
+
   /// The room's frame rate: the highest of its sensors, in Hz; 0 without sensors.
   [[nodiscard]] double fps() const;
 
@@ -54,6 +58,8 @@ class FrameSynchronizer {
   struct Sensor {
     double fps = 0;
     std::uint64_t other_hub = 0;
+    bool is_paused = false;
+    std::array<nanoseconds, 2> gaps{};  // between its last captures, the newest first; 0: unknown
     struct Delivery {
       Slot slot = 0;
       bool is_late = false;  // its capture time belongs to an earlier slot
@@ -79,6 +85,7 @@ class FrameSynchronizer {
 
   void follow_rate();
   void note_closing(std::uint64_t other_hub, Slot slot, bool is_last);
+  [[nodiscard]] static nanoseconds interval_of(const Sensor& sensor);
   [[nodiscard]] Slot natural_slot(RoomTime capture) const;
   [[nodiscard]] std::optional<Slot> assign_slot(const Sensor& sensor, RoomTime capture) const;
   [[nodiscard]] bool is_due(const Sensor& sensor, Slot slot, RoomTime deadline, RoomTime now) const;

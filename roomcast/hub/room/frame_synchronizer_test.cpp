@@ -105,6 +105,41 @@ TEST_F(Builder, nobody_waits_for_a_sensor_that_left) {
   EXPECT_THAT(closed(53ms), ElementsAre(ElementsAre(0)));
 }
 
+TEST_F(Builder, nobody_waits_for_a_paused_sensor) {
+  both_deliver_once();
+  builder.pause_sensor(kRight, true);
+  add(kLeft, 50ms, 52ms);
+  EXPECT_THAT(closed(53ms), ElementsAre(ElementsAre(0)));
+  add(kRight, 54ms, 60ms);  // it was on its way
+  closed(160ms);
+  add(kLeft, 150ms, 152ms);
+  EXPECT_THAT(closed(153ms), ElementsAre(ElementsAre(0)));
+  builder.pause_sensor(kRight, false);
+  add(kLeft, 200ms, 202ms);
+  EXPECT_THAT(closed(203ms), ElementsAre(ElementsAre(0))) << "nor before its next frame";
+  add(kLeft, 250ms, 252ms);
+  add(kRight, 251ms, 253ms);
+  EXPECT_THAT(closed(254ms), ElementsAre(ElementsAre(0, 1)));
+  add(kLeft, 300ms, 302ms);
+  EXPECT_THAT(closed(303ms), IsEmpty());
+}
+
+TEST_F(Builder, a_sensor_that_sends_every_second_frame_is_awaited_for_these) {
+  both_deliver_once();
+  for (int i = 1; i <= 4; ++i) {
+    add(kLeft, i * 50ms, i * 50ms + 2ms);
+    if (i % 2 == 0) add(kRight, i * 50ms, i * 50ms + 3ms);
+    closed(i * 50ms + 49ms);
+    closed(i * 50ms + 53ms);
+  }
+  add(kLeft, 250ms, 252ms);
+  EXPECT_THAT(closed(253ms), ElementsAre(ElementsAre(0)));
+  add(kLeft, 300ms, 302ms);
+  EXPECT_THAT(closed(303ms), IsEmpty());
+  add(kRight, 300ms, 304ms);
+  EXPECT_THAT(closed(304ms), ElementsAre(ElementsAre(0, 1)));
+}
+
 TEST_F(Builder, nobody_waits_for_a_sensor_that_has_been_silent_for_a_second) {
   both_deliver_once();
   for (int i = 1; i <= 20; ++i) {

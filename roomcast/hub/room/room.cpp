@@ -132,33 +132,6 @@ RoomActions Room::change(RoomSettings settings, RoomTime now) {
   return out;
 }
 
-RoomActions Room::watch_elsewhere(bool is_watched, RoomTime now) {
-  is_watched_elsewhere_ = is_watched;
-  RoomActions out;
-  update_demand(now, out);
-  return out;
-}
-
-bool Room::is_watched() const {
-  return settings_.stream_unwatched || is_watched_elsewhere_ || !viewers_.empty();
-}
-
-pb::Control Room::demand_message() const {
-  pb::Control message;
-  message.mutable_frame_demand()->set_wanted(demand_.wanted());
-  return message;
-}
-
-/// Tells the sensors of this hub when frames begin or cease to be wanted.
-void Room::update_demand(RoomTime now, RoomActions& out) {
-  if (!demand_.update(is_watched(), now)) return;
-  std::vector<ConnectionId> to;
-  for (const RoomSensor& sensor : sensors_.all()) {
-    if (sensor.connection && !sensor.is_at_other_hub) to.push_back(*sensor.connection);
-  }
-  if (!to.empty()) out.push_back(SendControl{std::move(to), demand_message()});
-}
-
 RoomActions Room::forget(const std::string& name, RoomTime now) {
   RoomActions out;
   const RoomSensor* sensor = sensors_.find(name);
@@ -209,7 +182,7 @@ RoomActions Room::tick(RoomTime now) {
   playback_.send_voices(now, out);
   cull(now, out);
   if (roster_changed_ && now >= next_roster_) send_roster(now, out);
-  update_demand(now, out);
+  tell_demands_when_due(now, out);
   return out;
 }
 
@@ -226,6 +199,7 @@ std::optional<RoomTime> Room::next_tick() const {
   consider(playback_.next());
   consider(culling_.next());
   consider(demand_.next());
+  consider(uplink_.next());
   if (roster_changed_) consider(next_roster_);
   return next;
 }
@@ -324,6 +298,8 @@ RoomStats Room::stats() const {
     entry.interference = interference_of(sensor, sensors_);
     entry.has_microphone = sensor.has_spoken;
     entry.speaks = voices_.is_speaking(wire::speaker_of(sensor.id));
+    entry.is_unseen = sensor.told.unseen();
+    entry.share_mbit = sensor.told.mbit();
     entry.muted = voices_.is_muted(wire::speaker_of(sensor.id));
     if (entry.online && sensor.description.has_settings())
       entry.settings = sensor.description.settings();

@@ -30,6 +30,7 @@
 #include "roomcast/hub/room/room_stats.h"
 #include "roomcast/hub/room/sensor_list.h"
 #include "roomcast/hub/room/start_pose.h"
+#include "roomcast/hub/room/uplink_share.h"
 #include "roomcast/hub/room/voice_relay.h"
 #include "roomcast/hub/visibility/view_culling.h"
 #include "roomcast/net/message_buffer.h"
@@ -135,8 +136,13 @@ class Room {
   void join_aligner(ConnectionId from, const Entry& entry, RoomTime now, RoomActions& out);
   [[nodiscard]] wire::pb::Control welcome_message(const Entry& entry) const;
   [[nodiscard]] bool is_watched() const;
-  [[nodiscard]] wire::pb::Control demand_message() const;
+  [[nodiscard]] bool wants_all() const;
+  void look_at_wishes(RoomSensor& sensor) const;
+  void share_uplink(RoomTime now);
   void update_demand(RoomTime now, RoomActions& out);
+  void tell_demands_when_due(RoomTime now, RoomActions& out);
+  void tell_demands(RoomTime now, RoomActions& out);
+  [[nodiscard]] std::size_t sensors_in_each_set() const;
   void keep_bundle(RoomSensor& sensor, const wire::pb::CalibrationBundle& bundle, RoomTime now,
                    RoomActions& out);
   void lose_place(RoomSensor& sensor, RoomTime now, RoomActions& out);
@@ -204,6 +210,7 @@ class Room {
   std::optional<ViewerId> guide_;  // who shows everybody around
   FrameSynchronizer sets_;
   FrameDemand demand_;
+  UplinkShare uplink_;
   bool is_watched_elsewhere_ = false;
   RoomStats set_stats_;  // the counters that change with frame sets
   std::uint32_t next_viewer_id_ = 1;

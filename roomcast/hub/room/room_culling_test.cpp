@@ -91,6 +91,52 @@ TEST_F(RoomTest, a_viewer_who_turns_round_gets_a_key_frame) {
   EXPECT_THAT(keys[0].to, ElementsAre(sensor));
 }
 
+TEST_F(RoomTest, a_sensor_that_nobody_sees_is_told_so_until_somebody_turns_to_it) {
+  const auto sensor = enter(sensor_with_lens("left"));
+  const auto viewer = enter(viewer_join());
+  (void)room.control(sensor, sees_a_wall(), at(1s));
+  (void)room.control(viewer, looks_at_the_wall(false), at(1s));
+  const auto told = messages(run_room(room, 10s), pb::Control::kFrameDemand);
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_TRUE(told[0].message.frame_demand().base_only());
+  EXPECT_FALSE(told[0].message.frame_demand().unseen());
+  EXPECT_TRUE(told[1].message.frame_demand().unseen());
+  EXPECT_TRUE(told[1].message.frame_demand().wanted()) << "earlier sensors go on";
+  EXPECT_THAT(told[1].to, ElementsAre(sensor));
+  EXPECT_TRUE(room.stats().sensors[0].is_unseen);
+
+  (void)room.control(viewer, looks_at_the_wall(true), at(10s));
+  const auto again = messages(run_room(room, 10s + 10ms), pb::Control::kFrameDemand);
+  ASSERT_EQ(again.size(), 1U);
+  EXPECT_FALSE(again[0].message.frame_demand().unseen());
+  EXPECT_FALSE(again[0].message.frame_demand().base_only());
+}
+
+TEST_F(RoomTest, a_recorder_sees_everything) {
+  const auto sensor = enter(sensor_with_lens("left"));
+  const auto viewer = enter(viewer_join());
+  (void)room.control(sensor, sees_a_wall(), at(1s));
+  (void)room.control(viewer, looks_at_the_wall(false), at(1s));
+  (void)run_room(room, 10s);
+  const auto recorder = enter(viewer_join("recorder"), 10s);
+  const auto told = messages(actions, pb::Control::kFrameDemand);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_FALSE(told[0].message.frame_demand().unseen());
+  EXPECT_EQ(messages(room.leave(recorder, at(11s)), pb::Control::kFrameDemand).size(), 1U);
+}
+
+TEST_F(RoomTest, a_viewer_who_leaves_has_no_wishes_any_more) {
+  const auto sensor = enter(sensor_with_lens("left"));
+  const auto away = enter(viewer_join()), there = enter(viewer_join());
+  (void)room.control(sensor, sees_a_wall(), at(1s));
+  (void)room.control(away, looks_at_the_wall(false), at(1s));
+  (void)room.control(there, looks_at_the_wall(true), at(1s));
+  EXPECT_THAT(messages(run_room(room, 20s), pb::Control::kFrameDemand), IsEmpty());
+  const auto told = messages(room.leave(there, at(20s)), pb::Control::kFrameDemand);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_TRUE(told[0].message.frame_demand().unseen());
+}
+
 TEST_F(RoomTest, a_sensor_that_is_moved_or_not_placed_comes_whole) {
   const auto given = enter(sensor_with_lens("given"));
   const auto unplaced = enter(sensor_with_lens("unplaced", std::nullopt));

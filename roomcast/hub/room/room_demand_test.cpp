@@ -76,5 +76,41 @@ TEST_F(RoomTest, the_owner_may_want_frames_always) {
   EXPECT_THAT(demands(actions), IsEmpty());
 }
 
+pb::Join sensor_that_follows(const std::string& name) {
+  pb::Join join = sensor_join(name);
+  join.mutable_sensor()->set_follows_rate(true);
+  return join;
+}
+
+TEST_F(RoomTest, the_rooms_uplink_is_shared_by_the_sensors_that_keep_to_it) {
+  enter(viewer_join());
+  enter(sensor_that_follows("left"));
+  enter(sensor_join("of its own mind"));
+  EXPECT_THAT(demands(actions), IsEmpty()) << "no limit is set";
+  const auto shared = demands(room.change({.name = "lab", .uplink_mbit = 6}, at(1s)));
+  ASSERT_EQ(shared.size(), 1U);
+  EXPECT_EQ(shared[0].message.frame_demand().mbit(), 6);
+  EXPECT_THAT(shared[0].to, testing::SizeIs(1));
+  enter(sensor_that_follows("right"), 2s);
+  ASSERT_EQ(demands(actions).size(), 1U) << "both have the same share";
+  EXPECT_EQ(demands(actions)[0].message.frame_demand().mbit(), 3);
+  EXPECT_THAT(demands(actions)[0].to, testing::SizeIs(2));
+  EXPECT_EQ(room.stats().sensors[0].share_mbit, 3);
+  const auto free = demands(room.change({.name = "lab"}, at(3s)));
+  ASSERT_EQ(free.size(), 1U);
+  EXPECT_EQ(free[0].message.frame_demand().mbit(), 0);
+}
+
+TEST_F(RoomTest, a_sensor_with_a_rate_of_its_own_gets_no_more) {
+  enter(viewer_join());
+  (void)room.change({.name = "lab", .uplink_mbit = 6}, at(1s));
+  pb::Join join = sensor_that_follows("slow");
+  join.mutable_sensor()->mutable_settings()->set_mbit(1);
+  enter(join, 2s);
+  enter(sensor_that_follows("fast"), 2s);
+  EXPECT_EQ(room.stats().sensors[0].share_mbit, 1);
+  EXPECT_EQ(room.stats().sensors[1].share_mbit, 5);
+}
+
 }  // namespace
 }  // namespace roomcast::hub

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a Room handles frames: which it takes, the sets that it makes of them, key frames, and which
 // viewers get which sensors' frames.
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -67,9 +68,16 @@ void Room::ask_for_key(const RoomSensor& sensor, RoomActions& out) {
   out.push_back(SendControl{{*sensor.connection}, std::move(request)});
 }
 
+/// Those that are online, and send each of their frames.
+std::size_t Room::sensors_in_each_set() const {
+  return static_cast<std::size_t>(std::ranges::count_if(sensors_.all(), [](const auto& sensor) {
+    return sensor.connection && !sensor.told.unseen() && !sensor.told.base_only();
+  }));
+}
+
 void Room::send_closed_sets(RoomTime now, RoomActions& out) {
   for (FrameSetPtr& set : sets_.take_closed(now)) {
-    count_set(*set, sensors_.online_count(), set_stats_);
+    count_set(*set, sensors_in_each_set(), set_stats_);
     if (!viewers_.empty()) out.emplace_back(SendSet{std::move(set)});
   }
 }
@@ -94,7 +102,9 @@ void Room::follow_surface(RoomSensor& sensor) {
 
 /// Tells viewers and their queues of the frames that are left out from now on.
 void Room::cull(RoomTime now, RoomActions& out) {
+  bool has_changed = false;
   for (ViewCulling::Change& change : culling_.update(now)) {
+    has_changed = true;
     pb::Control message;
     pb::UnseenSensors& unseen = *message.mutable_unseen_sensors();
     for (std::uint32_t sensor = 0; sensor < change.details.size(); ++sensor) {
@@ -107,6 +117,7 @@ void Room::cull(RoomTime now, RoomActions& out) {
       std::ranges::move(key_needed(sensor, now), std::back_inserter(out));
     }
   }
+  if (has_changed) tell_demands(now, out);
 }
 
 }  // namespace roomcast::hub

@@ -110,8 +110,8 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   out.push_back(AcceptConnection{from, Role::kSensor});
   out.push_back(SendControl{{from}, std::move(welcome)});
   out.emplace_back(RestartSensor{sensor->id});
-  if (!demand_.wanted() && !sensor->is_at_other_hub)
-    out.push_back(SendControl{{from}, demand_message()});
+  sensor->told = sensor->wanted = {};
+  sensor->told.set_wanted(true);  // as a sensor assumes until it is told otherwise
   sensor->told_depth_scale = 1;
   tell_depth_scale(*sensor, out);
   if (wire::wants_any(wanted_sightings_)) {

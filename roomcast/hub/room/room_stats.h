@@ -39,6 +39,8 @@ struct SensorStats {
   std::optional<double> clock_error_s = {};  // the bound that the sensor states in its newest frame
   double delay_s = 0;  // of its newest frame, from capture to arrival at the hub
   double frames_per_s = 0, bytes_per_s = 0;  // over the last second or so
+  bool is_unseen = false;                    // it sends no frames, because nobody sees it
+  double share_mbit = 0;                     // of the room's uplink; 0: it sends as it likes
   bool has_microphone = false;               // it has been heard since the sensor joined
   bool speaks = false;                       // its microphone is heard at present
   bool muted = false;                        // its microphone, by an admin

@@ -46,6 +46,8 @@ struct RoomSensor {
   std::optional<wire::pb::CoarseDepth> coarse_depth = {};  // likewise
   std::optional<RigidTransform> surface_pose = {};         // where coarse_depth was placed by it
   double told_depth_scale = 1;                             // on this connection
+  wire::pb::FrameDemand wanted = {};                       // what it should be told
+  wire::pb::FrameDemand told = {};                         // on this connection
   KeyRequestPace key_pace = {};
   SensorStats stats = {};  // the counters that change with its frames
 };

@@ -62,6 +62,27 @@ std::vector<ViewCulling::Change> ViewCulling::update(RoomTime now) {
   return changes;
 }
 
+ViewCulling::Wishes ViewCulling::wishes_for(SensorId sensor) const {
+  const auto found = reduced_.find(sensor);
+  const Reduced reduced = found == reduced_.end() ? Reduced() : found->second;
+  return {viewers_.size() - reduced.base_only - reduced.paused, reduced.base_only};
+}
+
+/// So many viewers more get the sensor in this detail; negative: fewer.
+void ViewCulling::count(SensorId sensor, Detail detail, int viewers) {
+  if (detail == Detail::kAll) return;
+  Reduced& reduced = reduced_[sensor];
+  (detail == Detail::kBaseOnly ? reduced.base_only : reduced.paused) +=
+      static_cast<std::size_t>(viewers);
+}
+
+void ViewCulling::forget_viewer(ConnectionId id) {
+  const auto found = viewers_.find(id);
+  if (found == viewers_.end()) return;
+  for (const auto& [sensor, need] : found->second.needs) count(sensor, need.detail, -1);
+  viewers_.erase(found);
+}
+
 std::optional<ViewCulling::Change> ViewCulling::look_at(ConnectionId id, Viewer& viewer,
                                                         RoomTime now) {
   viewer.has_changed = false;
@@ -77,7 +98,11 @@ std::optional<ViewCulling::Change> ViewCulling::look_at(ConnectionId id, Viewer&
     const auto [found, is_new] = viewer.needs.try_emplace(sensor, Need{Detail::kAll, now, now});
     const Detail before = found->second.detail;
     const Detail detail = next_detail(found->second, needed, viewer, now);
-    if (detail != before) has_changed = true;
+    if (detail != before) {
+      has_changed = true;
+      count(sensor, before, -1);
+      count(sensor, detail, 1);
+    }
     if (before == Detail::kPaused && detail != before) change.resumed.push_back(sensor);
     if (detail == Detail::kAll) return;
     if (change.details.size() <= sensor.value)

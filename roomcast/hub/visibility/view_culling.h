@@ -42,7 +42,7 @@ class ViewCulling {
   void forget_sensor(SensorId sensor);
   /// Without `view_half_angle`, the viewer gets everything from now on.
   void viewer_moved(ConnectionId viewer, const wire::pb::ViewerPose& pose, RoomTime now);
-  void forget_viewer(ConnectionId viewer) { viewers_.erase(viewer); }
+  void forget_viewer(ConnectionId viewer);
 
   /// The new details of a viewer.
   struct Change {
@@ -51,6 +51,13 @@ class ViewCulling {
     std::vector<SensorId> resumed;  // they were paused
   };
   [[nodiscard]] std::vector<Change> update(RoomTime now);
+  /// The viewers who have told their angle of view; the others get everything.
+  [[nodiscard]] std::size_t viewer_count() const { return viewers_.size(); }
+  /// What these viewers get of a sensor at present.
+  struct Wishes {
+    std::size_t all = 0, base_only = 0;  // viewers; the rest gets nothing
+  };
+  [[nodiscard]] Wishes wishes_for(SensorId sensor) const;
   /// The time for the next update() if nothing else happens before; nothing: none is needed.
   [[nodiscard]] std::optional<RoomTime> next() const { return next_; }
 
@@ -68,6 +75,11 @@ class ViewCulling {
     std::map<SensorId, Need> needs;
   };
 
+  struct Reduced {
+    std::size_t base_only = 0, paused = 0;  // viewers
+  };
+
+  void count(SensorId sensor, Detail detail, int viewers);
   void touch(Viewer& viewer, RoomTime now);
   std::optional<Change> look_at(ConnectionId id, Viewer& viewer, RoomTime now);
   Detail next_detail(Need& need, Detail needed, Viewer& viewer, RoomTime now) const;
@@ -77,6 +89,7 @@ class ViewCulling {
   const CullingOptions options_;
   std::map<SensorId, SeenSurface> surfaces_;
   std::map<ConnectionId, Viewer> viewers_;  // that have told their angle of view
+  std::map<SensorId, Reduced> reduced_;     // by their needs
   std::optional<RoomTime> next_;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/sensor/sender/frame_sender.h"
 
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -13,6 +15,10 @@ namespace {
 constexpr double kKeyIntervalWithTarget_s = 3600;
 /// Less waits where the line is estimated: its pace leaves time between frames anyway.
 constexpr double kReserveOnLine_s = 0.02;
+
+net::Pace pace_of(double line_mbit_per_s) {
+  return net::pace_for(line_mbit_per_s * 1e6 / 8);
+}
 
 codec::FrameEncoderOptions encoder_options(const client::PublisherOptions& sensor,
                                            const CodecChoice& codec) {
@@ -41,7 +47,7 @@ std::optional<RateControl> rate_control(const CodecChoice& codec,
                         .reserve_frames = 0});
   }
   if (codec.target_mbit_per_s <= 0) return std::nullopt;
-  net::Pace pace = net::pace_for(codec.target_mbit_per_s * 1e6 / 8);
+  net::Pace pace = pace_of(codec.target_mbit_per_s);
   const RateControl::Options options{.bytes_per_s = pace.payload_bytes_per_s, .fps = sensor.fps};
   pace.payload_bytes_per_s *= RateControl::kPaceMargin;
   sensor.pace = pace;
@@ -56,11 +62,12 @@ codec::FrameTarget share_of(const codec::FrameTarget& target, double share) {
 }  // namespace
 
 FrameSender::FrameSender(HoleRegistration registration,
-                         std::unique_ptr<codec::FrameEncoder> encoder, int color_kbit_per_s,
-                         std::optional<RateControl> rate)
+                         std::unique_ptr<codec::FrameEncoder> encoder, const CodecChoice& codec,
+                         double fps, std::optional<RateControl> rate)
     : registration_(std::move(registration)),
       encoder_(std::move(encoder)),
-      full_color_kbit_per_s_(color_kbit_per_s),
+      codec_(codec),
+      fps_(fps),
       rate_(std::move(rate)) {}
 
 Result<std::unique_ptr<FrameSender>> FrameSender::open(client::PublisherOptions options,
@@ -73,9 +80,11 @@ Result<std::unique_ptr<FrameSender>> FrameSender::open(client::PublisherOptions 
   if (!registration) return registration.error();
   auto encoder = codec::FrameEncoder::create(encoding);
   if (!encoder) return encoder.error();
+  options.follows_rate = options.follows_rate && codec.depth_mode == codec::DepthMode::kLive;
   std::unique_ptr<FrameSender> sender(new FrameSender(std::move(*registration), std::move(*encoder),
-                                                      codec.color_kbit(),
+                                                      codec, options.fps,
                                                       rate_control(codec, options)));
+  sender->follows_rate_ = options.follows_rate;
   auto publisher = client::Publisher::open(std::move(options));
   if (!publisher) return publisher.error();
   sender->publisher_ = std::move(*publisher);
@@ -87,10 +96,13 @@ Result<std::optional<client::Publisher::Published>> FrameSender::send(DepthView 
                                                                       HostTime capture_time) {
   using Sent = std::optional<client::Publisher::Published>;
   if (!publisher_->frames_wanted()) return Sent();
+  follow_demand();
+  if (is_left_out()) return Sent();
   std::optional<RateControl::Plan> plan;
   if (rate_) {
     if (const auto line = publisher_->uplink())
-      rate_->follow_line(line->bytes_per_s, static_cast<double>(line->waiting_bytes));
+      rate_->follow_line(std::min(line->bytes_per_s, room_bytes_per_s()),
+                         static_cast<double>(line->waiting_bytes));
     plan = rate_->next_frame(capture_time, publisher_->control_bytes());
     if (!plan) return Sent();
   }
@@ -115,10 +127,54 @@ Result<std::optional<client::Publisher::Published>> FrameSender::send(DepthView 
                    "smaller pictures"};
 }
 
+void FrameSender::follow_demand() {
+  const client::Publisher::Demand demand = publisher_->demand();
+  const client::Publisher::Demand before = std::exchange(demand_, demand);
+  if (demand.base_only != before.base_only) {
+    encoder_->set_base_only(demand.base_only);
+    since_base_ = 0;
+  }
+  if (follows_rate_ && demand.mbit != before.mbit) follow_room_rate();
+}
+
+/// What the room gives, but no more than the sensor was started with.
+void FrameSender::follow_room_rate() {
+  if (codec_.fits_line) return publisher_->set_pace(RateControl::kPaceMargin * room_bytes_per_s());
+  const double own = codec_.target_mbit_per_s;
+  const double mbit =
+      demand_.mbit > 0 && own > 0 ? std::min(own, demand_.mbit) : std::max(own, demand_.mbit);
+  encoder_->set_key_interval(mbit > 0 ? kKeyIntervalWithTarget_s
+                                      : codec::FrameEncoderOptions().key_interval_s);
+  if (mbit <= 0) {
+    rate_.reset();
+    encoder_->set_target({});
+    return publisher_->set_pace(std::nullopt);
+  }
+  const double bytes_per_s = pace_of(mbit).payload_bytes_per_s;
+  if (rate_) {
+    rate_->set_rate(bytes_per_s);
+  } else {
+    rate_.emplace(RateControl::Options{.bytes_per_s = bytes_per_s, .fps = fps_});
+  }
+  publisher_->set_pace(RateControl::kPaceMargin * bytes_per_s);
+}
+
+double FrameSender::room_bytes_per_s() const {
+  if (!follows_rate_ || demand_.mbit <= 0) return std::numeric_limits<double>::infinity();
+  return pace_of(demand_.mbit).payload_bytes_per_s;
+}
+
+/// While layer 0 suffices, as many frames are encoded as it has.
+bool FrameSender::is_left_out() {
+  if (!demand_.base_only) return false;
+  const int every = 1 << (codec_.layers - 1);
+  return since_base_++ % every != 0;
+}
+
 void FrameSender::follow_network(double rate_share) {
   if (rate_share == rate_share_) return;
   rate_share_ = rate_share;
-  encoder_->set_color_rate(static_cast<int>(full_color_kbit_per_s_ * rate_share));
+  encoder_->set_color_rate(static_cast<int>(codec_.color_kbit() * rate_share));
 }
 
 /// The pixels of the registered colour that are new.

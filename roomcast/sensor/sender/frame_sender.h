@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // FrameSender: sends a sensor's frames to its hub: registers colour, encodes, publishes (the last
 // three steps of the paper's Algorithm 1). A frame for which the network has no room is skipped
-// before it is registered and encoded. Threading: one thread calls all methods.
+// before it is registered and encoded. It sends what the hub wants of it: its share of the room's
+// uplink, or layer 0 only. Threading: one thread calls all methods.
 #pragma once
 
 #include <memory>
@@ -44,16 +45,24 @@ class FrameSender {
 
  private:
   FrameSender(HoleRegistration registration, std::unique_ptr<codec::FrameEncoder> encoder,
-              int color_kbit_per_s, std::optional<RateControl> rate);
+              const CodecChoice& codec, double fps, std::optional<RateControl> rate);
+  void follow_demand();
+  void follow_room_rate();
+  [[nodiscard]] double room_bytes_per_s() const;
+  [[nodiscard]] bool is_left_out();
   void follow_network(double rate_share);
   [[nodiscard]] Status register_color(DepthView depth_mm, ColorView color);
   [[nodiscard]] MaskView known_colors() const;
 
   HoleRegistration registration_;
   std::unique_ptr<codec::FrameEncoder> encoder_;
-  const int full_color_kbit_per_s_;
-  std::optional<RateControl> rate_;  // with a target rate
-  double rate_share_ = 1;            // the share that the encoder was set to
+  const CodecChoice codec_;
+  const double fps_;
+  bool follows_rate_ = false;         // the room's
+  std::optional<RateControl> rate_;   // with a target rate
+  client::Publisher::Demand demand_;  // that rate and encoder were set to
+  int since_base_ = 0;                // frames of the source, while layer 0 suffices
+  double rate_share_ = 1;             // the share that the encoder was set to
   RegisteredColor registered_;
   std::unique_ptr<client::Publisher> publisher_;  // last: destroyed before what it sends
 };

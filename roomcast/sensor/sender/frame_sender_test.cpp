@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/sensor/sender/frame_sender.h"
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <optional>
@@ -90,6 +91,41 @@ TEST_F(FrameSenderTest, with_a_target_rate_fewer_frames_are_sent_than_would_fit_
   const auto sent = (*sender)->publisher().stats().frames_sent;
   EXPECT_GT(sent, 0u);
   EXPECT_LT(sent, 8u) << bytes << " bytes in " << seconds.count() << " s";
+}
+
+TEST_F(FrameSenderTest, it_keeps_to_the_rooms_rate_while_there_is_one) {
+  auto options = sensor_of(hub->url(), 320, 240);
+  options.follows_rate = true;
+  auto sender = FrameSender::open(options, {});
+  ASSERT_TRUE(sender.ok()) << sender.error().message;
+  const auto tell = [&](double mbit) {
+    wire::pb::Control demand;
+    demand.mutable_frame_demand()->set_wanted(true);
+    demand.mutable_frame_demand()->set_mbit(mbit);
+    boost::asio::post(network.io(), [this, demand] { hub->say(demand); });
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    while ((*sender)->publisher().demand().mbit != mbit &&
+           std::chrono::steady_clock::now() < give_up)
+      std::this_thread::sleep_for(1ms);
+  };
+  std::minstd_rand random(3);
+  DepthImage noise(320, 240);
+  const auto frames_sent_in_2_s = [&] {
+    const auto before = (*sender)->publisher().stats().frames_sent;
+    for (int i = 0; i < 60; ++i) {
+      for (std::size_t k = 0; k < noise.view().pixel_count(); ++k)
+        noise.data()[k] = static_cast<std::uint16_t>(500 + random() % 4'000);
+      (void)(*sender)->send(noise, {}, SteadyClock().now());
+      std::this_thread::sleep_for(33ms);
+    }
+    return (*sender)->publisher().stats().frames_sent - before;
+  };
+  tell(0.1);
+  EXPECT_LT(frames_sent_in_2_s(), 8u);
+  tell(0);
+  std::uint64_t most = 0;  // TCP's own estimate of the line needs a while to grow
+  for (int i = 0; i < 10 && most <= 20; ++i) most = std::max(most, frames_sent_in_2_s());
+  EXPECT_GT(most, 20u) << "without a limit again";
 }
 
 TEST_F(FrameSenderTest, a_stream_that_fits_its_line_learns_what_loopback_carries) {

@@ -39,6 +39,9 @@ class RateControl {
     line_waiting_bytes_ = waiting_bytes;
   }
 
+  /// Another target from now on. Call before next_frame().
+  void set_rate(double bytes_per_s) { options_.bytes_per_s = bytes_per_s; }
+
   struct Plan {
     codec::FrameTarget target;
     bool wants_key = false;

@@ -30,6 +30,7 @@ export interface RoomSettings {
   speak?: Who;
   mark?: Who;
   record_voices?: boolean;
+  uplink_mbit?: number; // 0: no limit
   start_positions?: StartPosition[];
 }
 
@@ -60,6 +61,8 @@ export interface HubSensor {
   bytes: number;
   frames_per_second: number;
   bytes_per_second: number;
+  unseen?: boolean; // it sends no frames, because nobody sees what it shows
+  share_mbit?: number; // of the room's uplink; 0: it sends as it likes
   delay_ms?: number;
   clock_error_ms?: number;
   interference?: HubInterference;

@@ -12,6 +12,7 @@ const texts = consoleTexts.room;
 const longestName = 64;
 const mostViewers = 2048;
 const mostSensors = 32;
+const mostUplink_mbit = 1000;
 const longestSites = 2048; // characters, of all
 
 export class RoomView {
@@ -52,6 +53,8 @@ export class RoomView {
     const title = textField(longestName, room.title);
     const maxViewers = numberField(1, mostViewers, room.max_viewers);
     const maxSensors = numberField(1, mostSensors, room.max_sensors ?? mostSensors);
+    const uplink = numberField(0, mostUplink_mbit, room.uplink_mbit ?? 0);
+    uplink.step = 'any';
     const recordVoices = checkbox(room.record_voices ?? false);
     const listed = checkbox(room.listed ?? true);
     const embedFrom = textField(longestSites, room.embed_from?.join(' '));
@@ -63,6 +66,7 @@ export class RoomView {
       labelled(texts.title, title),
       labelled(texts.maxViewers, maxViewers),
       labelled(texts.maxSensors, maxSensors),
+      ...(room.uplink_mbit === undefined ? [] : [labelled(texts.uplink, uplink)]),
       ...rights.map(({ right, field }) => labelled(texts[right], field)),
       labelled(texts.recordVoices, recordVoices, 'field box'),
       labelled(texts.listed, listed, 'field box'),
@@ -78,6 +82,7 @@ export class RoomView {
           max_sensors: Number(maxSensors.value),
           listed: listed.checked,
           embed_from: embedFrom.value.split(/[\s,]+/).filter((site) => site !== ''),
+          ...(room.uplink_mbit !== undefined && { uplink_mbit: Number(uplink.value) }),
           ...(room.record_voices !== undefined && { record_voices: recordVoices.checked }),
           ...Object.fromEntries(rights.map(({ right, field }) => [right, field.value as Who])),
         });

@@ -11,6 +11,7 @@ import { consoleTexts as texts } from '../console_texts';
 import { sensorColor } from '../view/sensor_color';
 import { Chart } from './chart';
 import type { HubSensor } from './hub_api';
+import { sendingText } from './sending';
 import { SensorSettingsForm, type AskSensor } from './sensor_settings';
 import { interferenceText } from './interference';
 import { Thumbnail } from './thumbnail';
@@ -98,7 +99,7 @@ class SensorCard implements Row<RoomSensor> {
     this.charts.leftOut.add(live ? newlyLeftOut : undefined);
     const error_ms = hub?.clock_error_ms ?? this.clockError_ms;
     const clock = error_ms === undefined ? texts.clockUnknown : texts.clock(error_ms);
-    setText(this.clock, entry.online ? [clock, hub?.address].filter(Boolean).join(' · ') : texts.gone);
+    setText(this.clock, entry.online ? [clock, hub?.address, hub && sendingText(hub)].filter(Boolean).join(' · ') : texts.gone);
     const disturbed = entry.online ? hub?.interference : undefined;
     setText(this.interference, disturbed ? interferenceText(disturbed) : '');
     this.interference.classList.toggle('warning', Boolean(disturbed?.advice));
