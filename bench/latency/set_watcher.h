@@ -13,7 +13,8 @@
 namespace roomcast::bench {
 
 struct Arrivals {
-  std::vector<double> ages_ms;          // of all frames
+  std::vector<double> ages_ms;                            // of all frames
+  std::map<std::uint16_t, std::vector<double>> times_ms;  // by sensor, since the clock's beginning
   std::map<std::uint64_t, int> sets;    // number of frames that arrived, by set id
   std::vector<double> clock_errors_us;  // of the estimate, after each exchange
 };

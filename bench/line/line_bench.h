@@ -7,12 +7,19 @@
 //   rate       bytes over seconds and tenths of seconds of sensors with a target rate, and the age
 //              of their frames, on an emulated link; needs root
 //
+//   uplink     the same of sensors that share the uplink of their room, also while a viewer turns
+//              round; needs root
+//
 //   auto       share of an emulated link that sensors use which estimate what it carries, and the
 //              age of their frames, while the link becomes slower and faster; needs root
 //
+//   loss       how long pictures stand still on a line that loses packets, stands still, or becomes
+//              half as fast: the sensors' or the viewer's; needs root
+//
 //   looking    bytes that a viewer gets who walks along a path, relative to one who gets all
 //   frames,
-//              and what he loses by it: PSNR to the true view, and pictures that come late
+//              and what he loses by it: PSNR to the true view, and pictures that come late; and
+//              what the sensors send to him when he is alone
 //
 // The CPU time is that of this process: sensors, hub, and a viewer that does not decode.
 #pragma once
@@ -60,8 +67,18 @@ struct LineReport {
                                   const std::function<void(const std::string&)>& progress,
                                   LineReport& report);
 
+/// The case `uplink`; adds its figures. kUnsupported: not root, or no TUN devices.
+[[nodiscard]] Status measure_uplink(const LineBenchOptions& options,
+                                    const std::function<void(const std::string&)>& progress,
+                                    LineReport& report);
+
 /// The case `auto`; adds its figures. kUnsupported: not root, or no TUN devices.
 [[nodiscard]] Status measure_auto(const LineBenchOptions& options,
+                                  const std::function<void(const std::string&)>& progress,
+                                  LineReport& report);
+
+/// The case `loss`; adds its figures. kUnsupported: not root, or no TUN devices.
+[[nodiscard]] Status measure_loss(const LineBenchOptions& options,
                                   const std::function<void(const std::string&)>& progress,
                                   LineReport& report);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measures a viewer who walks along a path and tells the hub where he looks, beside one who tells
-// nothing and gets all frames. Sensors play what was simulated before.
+// nothing and gets all frames; then, on the same path, alone, so that sensors need not send what he
+// does not see. Sensors play what was simulated before.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -83,26 +84,35 @@ Result<std::unique_ptr<client::Subscriber>> viewer_of(const Room& room) {
   return client::Subscriber::open({.hub_url = room.hub->url(), .room = {}, .name = {}, .log = {}});
 }
 
-/// Follows the sensors that come into view, and whether their pictures are about as new as those of
-/// the viewer who gets everything.
+/// Follows the sensors that come into view, and whether their pictures are new enough.
 class LateSensors {
  public:
+  /// Compared with the viewer who gets everything.
   void add(const client::RoomSnapshot& whole, const client::RoomSnapshot& culled,
            const RigidTransform& world_from_head, nanoseconds step) {
     for (const client::RoomSensor& sensor : whole.sensors) {
       const auto other = std::ranges::find(culled.sensors, sensor.id, &client::RoomSensor::id);
       if (!sensor.picture || other == culled.sensors.end() || !other->picture) continue;
-      Watched& watched = watched_[sensor.id];
-      const bool is_seen = sees(sensor, world_from_head);
       const nanoseconds behind = sensor.picture->capture_time - other->picture->capture_time;
-      const bool is_late =
-          other->is_paused || behind > kFramesBehind * nanoseconds(std::int64_t(1e9 / kLookingFps));
-      if (is_seen && !watched.is_seen) watched.late_ms = 0;
-      if (is_seen && is_late)
-        watched.late_ms += std::chrono::duration<double, std::milli>(step).count();
-      if (!is_seen && watched.is_seen) late_ms_.push_back(watched.late_ms);
-      watched.is_seen = is_seen;
+      follow(sensor, other->is_paused || behind > kFramesBehind * interval(), world_from_head,
+             step);
     }
+  }
+
+  /// Of a viewer who is alone: compared with the age that the pictures of all frames had.
+  void add_alone(const client::RoomSnapshot& room, HostTime now, nanoseconds usual_age,
+                 const RigidTransform& world_from_head, nanoseconds step) {
+    for (const client::RoomSensor& sensor : room.sensors) {
+      if (!sensor.picture) continue;
+      const bool is_late =
+          sensor.is_paused || age_of(sensor, now) > usual_age + kFramesBehind * interval();
+      follow(sensor, is_late, world_from_head, step);
+    }
+  }
+
+  /// Hub and viewers are in this process, so room time is its clock.
+  static nanoseconds age_of(const client::RoomSensor& sensor, HostTime now) {
+    return now.time_since_epoch() - sensor.picture->capture_time.time_since_epoch();
   }
 
   /// Of each time that a sensor came into view; sorted.
@@ -120,6 +130,19 @@ class LateSensors {
     bool is_seen = false;
     double late_ms = 0;
   };
+
+  static nanoseconds interval() { return nanoseconds(std::int64_t(1e9 / kLookingFps)); }
+
+  void follow(const client::RoomSensor& sensor, bool is_late, const RigidTransform& world_from_head,
+              nanoseconds step) {
+    Watched& watched = watched_[sensor.id];
+    const bool is_seen = sees(sensor, world_from_head);
+    if (is_seen && !watched.is_seen) watched.late_ms = 0;
+    if (is_seen && is_late)
+      watched.late_ms += std::chrono::duration<double, std::milli>(step).count();
+    if (!is_seen && watched.is_seen) late_ms_.push_back(watched.late_ms);
+    watched.is_seen = is_seen;
+  }
 
   /// Really sees: without any margin.
   static bool sees(const client::RoomSensor& sensor, const RigidTransform& world_from_head) {
@@ -143,6 +166,8 @@ struct Walk {
   std::vector<LookedMoment> moments;
   LateSensors late;
   double whole_bytes = 0, culled_bytes = 0;
+  double sent_bytes = 0;        // by the sensors
+  std::vector<double> ages_ms;  // of the pictures with all frames
 };
 
 void send_pose(client::Subscriber& viewer, const RigidTransform& world_from_head) {
@@ -167,10 +192,25 @@ nanoseconds scene_time_of(const client::RoomSnapshot& room, int sensors) {
                                   sensors, kLookingFps, kLookingFrames);
 }
 
-Walk walk(client::Subscriber& whole, client::Subscriber& culled, const ViewerPath& path,
-          const LineBenchOptions& options) {
+double bytes_sent(const Room& room) {
+  double bytes = 0;
+  for (const auto& feed : room.feeds) bytes += static_cast<double>(feed->stats().bytes_sent);
+  return bytes;
+}
+
+void note_ages(const client::RoomSnapshot& room, HostTime now, std::vector<double>& ages_ms) {
+  for (const client::RoomSensor& sensor : room.sensors) {
+    if (!sensor.picture) continue;
+    ages_ms.push_back(
+        std::chrono::duration<double, std::milli>(LateSensors::age_of(sensor, now)).count());
+  }
+}
+
+Walk walk(const Room& room, client::Subscriber& whole, client::Subscriber& culled,
+          const ViewerPath& path, const LineBenchOptions& options) {
   Walk walk;
   const HostTime begin = SteadyClock().now();
+  const double sent_before = bytes_sent(room);
   const double whole_before = static_cast<double>(whole.snapshot()->bytes_received);
   const double culled_before = static_cast<double>(culled.snapshot()->bytes_received);
   HostTime last = begin;
@@ -181,12 +221,33 @@ Walk walk(client::Subscriber& whole, client::Subscriber& culled, const ViewerPat
     send_pose(culled, head);
     const auto with_all = whole.snapshot(), with_some = culled.snapshot();
     walk.late.add(*with_all, *with_some, head, now - std::exchange(last, now));
+    note_ages(*with_all, now, walk.ages_ms);
     if (step % kStepsPerPicture == 0)
       walk.moments.push_back(
           {with_all, with_some, head, scene_time_of(*with_all, options.sensors)});
   }
   walk.whole_bytes = static_cast<double>(whole.snapshot()->bytes_received) - whole_before;
   walk.culled_bytes = static_cast<double>(culled.snapshot()->bytes_received) - culled_before;
+  walk.sent_bytes = bytes_sent(room) - sent_before;
+  std::ranges::sort(walk.ages_ms);
+  return walk;
+}
+
+/// The same walk without the viewer who gets everything.
+Walk walk_alone(const Room& room, client::Subscriber& viewer, const ViewerPath& path,
+                nanoseconds usual_age, const LineBenchOptions& options) {
+  Walk walk;
+  const HostTime begin = SteadyClock().now();
+  const double sent_before = bytes_sent(room);
+  HostTime last = begin;
+  for (int step = 1; SteadyClock().now() < begin + options.duration; ++step) {
+    std::ignore = wait_until(begin + step * kStep, {});
+    const HostTime now = SteadyClock().now();
+    const RigidTransform head = path.at(now - begin);
+    send_pose(viewer, head);
+    walk.late.add_alone(*viewer.snapshot(), now, usual_age, head, now - std::exchange(last, now));
+  }
+  walk.sent_bytes = bytes_sent(room) - sent_before;
   return walk;
 }
 
@@ -249,13 +310,21 @@ Status measure_looking(const LineBenchOptions& options,
   say("warming up");
   std::this_thread::sleep_for(kLookingWarmUp);
   say("walking");
-  const Walk walked = walk(**whole, **culled, in_room, options);
-  const double many_share = decision_cost(*(*whole)->snapshot(), in_room);
+  const Walk walked = walk(*room, **whole, **culled, in_room, options);
+  const double usual_age_ms = sorted_percentile(walked.ages_ms, 0.95);
+  const client::RoomSnapshot last_whole = *(*whole)->snapshot();
+  whole->reset();
+  say("walking alone");
+  const Walk alone =
+      walk_alone(*room, **culled, in_room,
+                 nanoseconds(static_cast<std::int64_t>(usual_age_ms * 1e6)), options);
+  const double many_share = decision_cost(last_whole, in_room);
   room->feeds.clear();
   const auto quality = compare_pictures(walked.moments, options.scene, progress);
   if (!quality) return quality.error();
 
   const std::vector<double> late_ms = walked.late.late_ms();
+  const std::vector<double> late_alone_ms = alone.late.late_ms();
   const double seconds = std::chrono::duration<double>(options.duration).count();
   const auto add = [&](const char* name, const char* unit, double value) {
     report.figures.push_back({std::string("looking: ") + name, unit, value});
@@ -269,6 +338,14 @@ Status measure_looking(const LineBenchOptions& options,
   add("times that a sensor came into view", "", static_cast<double>(late_ms.size()));
   add("without a new picture, 99 %", "ms", sorted_percentile(late_ms, 0.99));
   add("without a new picture, longest", "ms", late_ms.empty() ? 0 : late_ms.back());
+  add("sensors send all frames", "kB/s", walked.sent_bytes / seconds / 1e3);
+  add("sensors send to him alone", "kB/s", alone.sent_bytes / seconds / 1e3);
+  add("sensors send to him alone", "% of all", 100 * alone.sent_bytes / walked.sent_bytes);
+  add("alone, age of a picture that counts as usual", "ms", usual_age_ms);
+  add("alone, times that a sensor came into view", "", static_cast<double>(late_alone_ms.size()));
+  add("alone, without a new picture, 99 %", "ms", sorted_percentile(late_alone_ms, 0.99));
+  add("alone, without a new picture, longest", "ms",
+      late_alone_ms.empty() ? 0 : late_alone_ms.back());
   add("deciding for 500 viewers", "% of a core", 100 * many_share);
   return {};
 }

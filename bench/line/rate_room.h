@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RateRoom: simulated sensors at the near end of an emulated link, hub and viewer at its far end.
+// RateRoom: simulated sensors at the near end of an emulated link, a viewer at its far end, and the
+// hub at either.
 #pragma once
 
 #include <chrono>
@@ -20,27 +21,38 @@ namespace roomcast::bench {
 struct RateOutcome {
   LineRate line;
   std::vector<double> ages_ms;
+  double longest_gap_ms = 0;  // between two frames of a sensor on arrival
   double seconds = 0;
 };
 
 class RateRoom {
  public:
-  /// options.sensors sensors in options.scene, each with this codec. kUnsupported: not root, or no
-  /// TUN devices; other errors: those of the hub and of the sensors.
+  using End = EmulatedLink::End;
+
+  /// options.sensors sensors in options.scene, each with this codec; `uplink_mbit` is the room's,
+  /// as in hub::RoomSettings. With the hub at the near end the link is the viewer's. kUnsupported:
+  /// not root, or no TUN devices; other errors: those of the hub and of the sensors.
   static Result<std::unique_ptr<RateRoom>> open(const LineBenchOptions& options,
                                                 const LinkSpec& link,
-                                                const sensor::CodecChoice& codec);
+                                                const sensor::CodecChoice& codec,
+                                                double uplink_mbit = 0, End hub_at = End::kFar);
 
   /// Measures the link and the frames that arrive at the viewer, for this long.
   [[nodiscard]] RateOutcome measure(std::chrono::milliseconds duration);
+  /// As measure(), but the viewer is somebody in the middle of the room who turns round by half a
+  /// turn every few seconds and tells it.
+  [[nodiscard]] Result<RateOutcome> measure_turning(std::chrono::milliseconds duration);
   /// The link carries so much from now on.
   void set_link_rate(double mbit_per_s) { link_->set_rate(mbit_per_s); }
+  /// Nothing passes the link for so long.
+  void stop_link_for(std::chrono::milliseconds duration) { link_->stop_for(duration); }
 
  private:
   explicit RateRoom(std::unique_ptr<EmulatedLink> link) : link_(std::move(link)) {}
 
-  Status enter_far();
-  Status enter_near(const LineBenchOptions& options, const sensor::CodecChoice& codec);
+  Status open_hub(double uplink_mbit, End end);
+  RateOutcome read_line(std::chrono::milliseconds duration);
+  Status join_sensors(const LineBenchOptions& options, const sensor::CodecChoice& codec);
 
   const std::unique_ptr<EmulatedLink> link_;
   std::unique_ptr<hub::RunningHub> hub_;

@@ -126,6 +126,7 @@ class EmulatedLink::Pump {
   }
   [[nodiscard]] std::uint64_t carried_bytes() const { return carried_bytes_; }
   void set_rate(double mbit_per_s) { new_rate_ = mbit_per_s; }
+  void stop_for(std::chrono::milliseconds duration) { stop_ms_ = duration.count(); }
 
  private:
   void carry(const std::stop_token& stop) {
@@ -138,6 +139,9 @@ class EmulatedLink::Pump {
       ::poll(waits.data(), waits.size(), kLookForStop_ms);
       if (const double rate = new_rate_.exchange(0); rate > 0)
         for (LinkQueue& queue : queues_) queue.set_rate(std::chrono::steady_clock::now(), rate);
+      if (const std::chrono::milliseconds stop_time(stop_ms_.exchange(0)); stop_time.count() > 0)
+        for (LinkQueue& queue : queues_)
+          queue.stop_for(std::chrono::steady_clock::now(), stop_time);
       for (std::size_t i = 0; i < queues_.size(); ++i) {
         take_in(networks_[i].tun.get(), queues_[i]);
         let_out(queues_[i], networks_[1 - i].tun.get());
@@ -183,7 +187,8 @@ class EmulatedLink::Pump {
   std::vector<std::uint8_t> buffer_ = std::vector<std::uint8_t>(kMaxPacket);
   std::atomic<std::uint64_t> carried_bytes_ = 0;
   std::atomic<double> new_rate_ = 0;  // 0: as it is
-  std::jthread thread_;               // last: uses the members above
+  std::atomic<std::int64_t> stop_ms_ = 0;
+  std::jthread thread_;  // last: uses the members above
 };
 
 EmulatedLink::EmulatedLink(std::unique_ptr<Pump> pump) : pump_(std::move(pump)) {}
@@ -216,6 +221,10 @@ const char* EmulatedLink::address(End end) {
 
 void EmulatedLink::set_rate(double mbit_per_s) {
   pump_->set_rate(mbit_per_s);
+}
+
+void EmulatedLink::stop_for(std::chrono::milliseconds duration) {
+  pump_->stop_for(duration);
 }
 
 std::uint64_t EmulatedLink::carried_bytes() const {

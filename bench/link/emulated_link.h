@@ -7,6 +7,7 @@
 // at which it was made.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -30,6 +31,9 @@ class EmulatedLink {
 
   /// The link carries so much from now on, each way. Thread-safe.
   void set_rate(double mbit_per_s);
+
+  /// Nothing passes for so long, either way; packets wait. Thread-safe.
+  void stop_for(std::chrono::milliseconds duration);
 
   /// The address of this end, valid at both ends.
   [[nodiscard]] static const char* address(End end);

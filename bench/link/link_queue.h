@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// LinkQueue: one direction of an emulated link. Packets leave at a given rate, are lost at random,
-// wait in a queue that drops packets when it is full, and arrive after a delay. Pure; time is an
-// argument. Source: the model of Linux netem and tbf.
+// LinkQueue: one direction of an emulated link. Packets leave at a given rate, are lost at random
+// or in bursts, wait in a queue that drops packets when it is full, and arrive after a delay. Pure;
+// time is an argument. Source: the model of Linux netem and tbf; bursts by Gilbert (1960).
 #pragma once
 
 #include <chrono>
@@ -18,7 +18,8 @@ namespace roomcast::bench {
 struct LinkSpec {
   double mbit_per_s = 20;
   std::chrono::milliseconds round_trip{50};  // half of it each way
-  double loss = 0;                           // probability of loss of each packet
+  double loss = 0;                           // share of the packets that are lost
+  double loss_burst = 1;                     // packets that are lost in a row, on average
   std::chrono::milliseconds queue{100};      // packets that would wait longer are dropped
   std::uint32_t seed = 1;
 };
@@ -40,6 +41,10 @@ class LinkQueue {
   /// The line carries so much from now on; what waits in the queue leaves at the new rate.
   void set_rate(Time now, double mbit_per_s);
 
+  /// Nothing leaves for so long, as on a radio link that has lost its station: packets wait, as
+  /// many as the queue takes.
+  void stop_for(Time now, Time::duration duration);
+
   [[nodiscard]] std::uint64_t carried_bytes() const { return carried_bytes_; }
 
  private:
@@ -47,7 +52,11 @@ class LinkQueue {
     Time arrival;
     Packet packet;
   };
+  [[nodiscard]] bool is_lost();
+
   LinkSpec spec_;
+  bool loses_ = false;  // the packet before this one was lost
+  Time up_at_{};        // it stands still until then
   std::minstd_rand random_;
   Time free_at_{};  // when the last queued packet will have left
   std::deque<Travelling> travelling_;

@@ -60,5 +60,35 @@ TEST(LinkQueue, loses_the_requested_share) {
   EXPECT_NEAR(lost, 0.1, 0.01);
 }
 
+TEST(LinkQueue, loses_packets_in_bursts_of_the_requested_length) {
+  LinkSpec spec = ten_mbit();
+  spec.loss = 0.05;
+  spec.loss_burst = 4;
+  LinkQueue link(spec, 7);
+  int lost = 0, bursts = 0;
+  bool was_lost = false;
+  for (int i = 0; i < 100'000; ++i) {
+    const auto before = link.carried_bytes();
+    link.push(kBegin + i * 2ms, kPacket);
+    const bool is_lost = link.carried_bytes() == before;
+    lost += is_lost;
+    bursts += is_lost && !was_lost;
+    was_lost = is_lost;
+  }
+  EXPECT_NEAR(lost / 100'000.0, 0.05, 0.005);
+  EXPECT_NEAR(static_cast<double>(lost) / bursts, 4, 0.4);
+}
+
+TEST(LinkQueue, while_it_stands_still_packets_wait_as_many_as_the_queue_takes) {
+  LinkQueue link(ten_mbit(), 1);
+  link.push(kBegin, kPacket);
+  link.push(kBegin, kPacket);
+  link.stop_for(kBegin + 1500us, 300ms);
+  EXPECT_TRUE(link.pop(kBegin + 26ms)) << "it had left";
+  EXPECT_EQ(link.next_arrival(), kBegin + 327ms);
+  for (int i = 0; i < 20; ++i) link.push(kBegin + 100ms, kPacket);
+  EXPECT_EQ(link.carried_bytes(), 2 * kPacket.size() + 5 * kPacket.size());
+}
+
 }  // namespace
 }  // namespace roomcast::bench

@@ -32,12 +32,12 @@ void add_line_bench(CLI::App& bench, Command& chosen) {
                                            "and on a line that changes");
   command
       ->add_option("--case", options->cases,
-                   "Cases: unwatched, looking, rate, auto (the last two need root)")
+                   "Cases: unwatched, looking, rate, uplink, auto, loss (the last four need root)")
       ->delimiter(',')
-      ->check(CLI::IsMember({"unwatched", "looking", "rate", "auto"}));
+      ->check(CLI::IsMember({"unwatched", "looking", "rate", "uplink", "auto", "loss"}));
   command
       ->add_option("--mbit", options->target_mbit,
-                   "Case rate: target rates of all sensors together, Mbit/s")
+                   "Cases rate, uplink: target rates of all sensors together, Mbit/s")
       ->delimiter(',')
       ->check(within(0.1, 800.0));
   command
