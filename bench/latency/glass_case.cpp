@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "bench/latency/capture_clock.h"
+#include "bench/latency/clock_sensors.h"
 #include "bench/latency/latency_cases.h"
-#include "bench/latency/replayed_sensor.h"
 #include "roomcast/client/subscriber.h"
 #include "roomcast/geometry/camera_model.h"
 #include "roomcast/hub/server/running_hub.h"
@@ -22,8 +22,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kGlassSensors = 3, kGlassFrames = 45;
-constexpr double kGlassFps = 15;
 constexpr auto kGlassWarmUp = 4s;  // the codec and the background adapt to the room
 constexpr viewer::PictureSize kWindow{800, 600};
 constexpr int kAround_px = 7;  // of a square of 45, so that a missing reading does not matter
@@ -77,13 +75,9 @@ Result<GlassRoom> open_glass_room() {
   auto hub = hub::RunningHub::start({.port = 0});
   if (!hub) return hub.error();
   room.hub = *std::move(hub);
-  for (int i = 0; i < kGlassSensors; ++i) {
-    auto sensor = ReplayedSensor::start(
-        "sim#" + std::to_string(i), room.hub->url(),
-        {.frame_count = kGlassFrames, .fps = kGlassFps, .draws_clock = i == 0});
-    if (!sensor) return sensor.error();
-    room.sensors.push_back(*std::move(sensor));
-  }
+  auto sensors = start_clock_sensors(room.hub->url());
+  if (!sensors) return sensors.error();
+  room.sensors = *std::move(sensors);
   return room;
 }
 

@@ -99,6 +99,14 @@ export async function startHub(port = 0, { data, more = [] } = {}) {
   return hub;
 }
 
+/** Simulated sensors, of which the first draws the time of capture; `view` says where to stand to read it. */
+export async function startClockSensors(hub) {
+  const sensors = new Program('bench', ['bench', 'latency', '--clock-sensors', `ws://127.0.0.1:${hub.port}`]);
+  const [line] = await sensors.says(/^\{.*"squares".*\}$/);
+  sensors.view = JSON.parse(line);
+  return sensors;
+}
+
 /** Starts hub, aligner, page and these sources in one program. */
 export async function startDemo(...sources) {
   const args = ['demo', '--port', '0', '--web', webFolder, '--verbose', ...sources.flatMap((source) => ['--source', source])];
