@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kBeside_px = 3;      // between the points from which a normal is computed
 constexpr double kSteepest = 0.2;  // relative change of depth over them: else it is an edge
-constexpr double kLeastCosine = 0.1;
+constexpr double kMinCosine = 0.1;
 
 /// In the sensor's frame, metres.
 std::optional<Eigen::Vector3d> point_at(const SensorDepth& sensor, int x, int y) {
@@ -40,7 +40,7 @@ std::optional<Eigen::Vector3d> normal_at(const SensorDepth& sensor, int x, int y
 double pixels_per_area(const CameraIntrinsics& lens, const Eigen::Vector3d& point,
                        const Eigen::Vector3d& normal) {
   const double cosine = std::abs(normal.dot(point)) / point.norm();
-  return lens.fx * lens.fy * std::max(cosine, kLeastCosine) / point.squaredNorm();
+  return lens.fx * lens.fy * std::max(cosine, kMinCosine) / point.squaredNorm();
 }
 
 bool shows_better(const SensorDepth& other, const Eigen::Vector3d& world,

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kMaxFrames = 64;  // of each sensor, kept in memory
 constexpr int kSide = 8;                // of a block, in pixels of depth
-constexpr double kMostOfBlock = 0.9;    // share of a block's pixels that others must show better
+constexpr double kMinBlockShare = 0.9;  // share of a block's pixels that others must show better
 constexpr int kSteadyFrames = 3;        // for which they must have done so
 constexpr double kMoved = 0.04;         // relative change of depth from frame to frame
 
@@ -42,7 +42,7 @@ bool is_better_elsewhere(const MaskImage& better, DepthView depth_mm, int block_
     with_depth += depth_mm.at(x, y) != 0;
     elsewhere += better.at(x, y) != 0;
   });
-  return with_depth > 0 && elsewhere >= kMostOfBlock * with_depth;
+  return with_depth > 0 && elsewhere >= kMinBlockShare * with_depth;
 }
 
 /// A block is left to the others after kSteadyFrames, and taken back at once.

@@ -116,7 +116,7 @@ std::vector<double> UplinkShare::divide(double uplink_mbit,
     weights.push_back(known.weight);
     most.push_back(user.most_mbit);
   }
-  const std::vector<double> shares = divide_rate(rest, weights, kLeast_mbit, most);
+  const std::vector<double> shares = divide_rate(rest, weights, kMinShare_mbit, most);
   std::vector<double> all(users.size());
   std::size_t next = 0;
   for (std::size_t i = 0; i < users.size(); ++i) {

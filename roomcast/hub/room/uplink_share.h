@@ -32,7 +32,7 @@ class UplinkShare {
   /// Between two looks while nothing happens.
   static constexpr std::chrono::milliseconds kInterval{500};
   /// The least that a sensor is given, also where the uplink is too small for all.
-  static constexpr double kLeast_mbit = 0.1;
+  static constexpr double kMinShare_mbit = 0.1;
 
   /// Divides `uplink_mbit`; 0: there is no limit, and every share is 0. Call whenever something has
   /// changed, and at next().
