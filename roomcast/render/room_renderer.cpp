@@ -104,20 +104,24 @@ Status RoomRenderer::draw(const Eyes& eyes, const OffscreenTarget& target, Rende
   return {};
 }
 
-/// Puts live surfaces before backgrounds, which they mostly hide. Only blend mode uses backgrounds.
+/// Puts live surfaces before backs and backgrounds, which they mostly hide; only blend mode draws
+/// those.
 void RoomRenderer::gather_layers(RenderMode mode) {
+  using Part = SurfaceLayer::Part;
   layers_.clear();
-  for (const auto& [id, sensor] : sensors_) {
-    if (sensor.is_unplaced) continue;
-    layers_.push_back({id, sensor.world_from_depth, &sensor.background_model.live(),
-                       &sensor.surface.rays(), false});
-  }
+  const auto gather = [&](Part part) {
+    for (const auto& [id, sensor] : sensors_) {
+      if (sensor.is_unplaced) continue;
+      const BackgroundModel& model = sensor.background_model;
+      layers_.push_back({id, sensor.world_from_depth,
+                         part == Part::kBackground ? &model.background() : &model.live(),
+                         &sensor.surface.rays(), part});
+    }
+  };
+  gather(Part::kLive);
   if (mode != RenderMode::kBlend) return;
-  for (const auto& [id, sensor] : sensors_) {
-    if (sensor.is_unplaced) continue;
-    layers_.push_back({id, sensor.world_from_depth, &sensor.background_model.background(),
-                       &sensor.surface.rays(), true});
-  }
+  gather(Part::kBacks);
+  gather(Part::kBackground);
 }
 
 void RoomRenderer::refresh_background_models() {

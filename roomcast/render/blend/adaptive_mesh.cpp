@@ -30,7 +30,7 @@ void AdaptiveMesher::make_room(int tiles) {
   tile_offsets_ = make_buffer(tiles * kIndexBytes);
 }
 
-void AdaptiveMesher::build(const GlTexture& depth_m, const GlTexture* covering, int width,
+void AdaptiveMesher::build(const GlTexture& depth_m, const Covering& covering, int width,
                            int height, const SurfaceMeshOptions& options, AdaptiveMesh& mesh) {
   const int across = (width + kTileSide - 1) / kTileSide;
   const int down = (height + kTileSide - 1) / kTileSide;
@@ -41,8 +41,10 @@ void AdaptiveMesher::build(const GlTexture& depth_m, const GlTexture* covering, 
   }
   const auto& [tiles, offsets, gather] = programs_;
   tiles.bind(shaders::blend_surface_glsl::depth_m, depth_m);
-  tiles.bind(adaptive_mesh_comp::covering_depth_m, covering != nullptr ? *covering : depth_m);
-  tiles.set(adaptive_mesh_comp::is_covered, covering != nullptr);
+  tiles.bind(adaptive_mesh_comp::covering_depth_m,
+             covering.depth_m != nullptr ? *covering.depth_m : depth_m);
+  tiles.set(adaptive_mesh_comp::is_covered, covering.depth_m != nullptr);
+  tiles.set(adaptive_mesh_comp::needs_covering, covering.is_needed);
   tiles.set(adaptive_mesh_comp::max_gap,
             {static_cast<float>(options.max_gap_m), static_cast<float>(options.max_gap_per_m)});
   tiles.bind(adaptive_mesh_comp::Tiles, tile_indices_);

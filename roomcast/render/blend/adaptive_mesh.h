@@ -24,9 +24,14 @@ class AdaptiveMesher {
   /// kUnsupported with the driver's log if it rejects the shaders.
   static Result<AdaptiveMesher> create();
 
-  /// Meshes a depth texture in metres. `covering`: another surface in the same grid, or null; parts
-  /// that coincide with it are left out. `options.grid_step` is ignored.
-  void build(const GlTexture& depth_m, const GlTexture* covering, int width, int height,
+  /// Another surface in the same grid: parts that coincide with it are left out.
+  struct Covering {
+    const GlTexture* depth_m = nullptr;  // metres, 0 where there is no such surface
+    bool is_needed = false;  // only parts wholly before such a surface are kept: no specks of noise
+  };
+
+  /// Meshes a depth texture in metres. `options.grid_step` is ignored.
+  void build(const GlTexture& depth_m, const Covering& covering, int width, int height,
              const SurfaceMeshOptions& options, AdaptiveMesh& mesh);
 
  private:

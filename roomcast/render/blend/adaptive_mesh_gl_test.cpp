@@ -28,7 +28,8 @@ class AdaptiveMeshTest : public GlTest {
     const GlTexture depth = texture_of(depth_m);
     const GlTexture cover = covering ? texture_of(*covering) : GlTexture();
     AdaptiveMesh mesh;
-    mesher->build(depth, covering ? &cover : nullptr, depth_m.width(), depth_m.height(), {}, mesh);
+    mesher->build(depth, {covering ? &cover : nullptr}, depth_m.width(), depth_m.height(), {},
+                  mesh);
     GLuint count = 0;
     glGetNamedBufferSubData(mesh.commands.name(), 0, sizeof count, &count);
     std::vector<Triangle> triangles(count / 3);

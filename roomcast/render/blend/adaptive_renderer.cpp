@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include "roomcast/render/gl/gl_state.h"
-
 namespace roomcast::render {
 
 Result<AdaptiveRenderer> AdaptiveRenderer::create() {
@@ -19,7 +17,6 @@ void AdaptiveRenderer::draw(std::span<const SurfaceLayer> layers, const Eyes& ey
   const EyeBorders borders(eyes);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
-  const Enabled culling(GL_CULL_FACE);
   for (const SurfaceLayer& layer : layers) painter_.draw(program_, layer, eyes);
 }
 

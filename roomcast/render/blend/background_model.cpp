@@ -76,6 +76,7 @@ void BackgroundUpdater::refresh(const SensorSurface& sensor, std::span<const Oth
   SurfaceCleaner::Options behind = options;
   behind.covering = &model.live_;
   parts_.cleaner.finish(sensor, known, Shows::kBackground, behind, model.background_);
+  parts_.cleaner.find_foreground(model.background_, options.mesh, model.live_);
 }
 
 void BackgroundUpdater::carve(const SensorSurface& sensor, const OtherSensor& other,

@@ -86,6 +86,21 @@ TEST_F(BackgroundModelTest, background_gives_way_where_another_sensor_looks_thro
   EXPECT_NE(middle(), kBlue);
 }
 
+TEST_F(BackgroundModelTest, somebody_is_not_transparent_from_behind_and_a_wall_is) {
+  show(wall(kBackgroundModelLens, 3000, kRed), 10);
+  show(with_somebody());
+  const auto from_behind = [&](double distance_m) {
+    const RigidTransform pose =
+        world_from_optical_looking_at(Vector3d(0, 1.5, -distance_m), kBackgroundModelEye);
+    return draw(eye_of(kBackgroundModelLens, pose), RenderMode::kBlend)
+        .color.at(kBackgroundModelMiddleX, kBackgroundModelMiddleY);
+  };
+  EXPECT_EQ(from_behind(2.5), kBlue) << "between the person and the wall";
+  EXPECT_EQ(from_behind(5), kBlue) << "through the wall, as into a doll's house";
+  show(wall(kBackgroundModelLens, 3000, kRed), 12);
+  EXPECT_EQ(from_behind(5), kNothing);
+}
+
 TEST_F(BackgroundModelTest, noise_of_what_stands_still_is_averaged_out) {
   const auto shown_depth = [&](std::uint16_t depth_mm) {
     show(wall(kBackgroundModelLens, depth_mm, kRed));

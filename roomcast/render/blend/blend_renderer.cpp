@@ -63,7 +63,6 @@ void BlendRenderer::draw(std::span<const SurfaceLayer> layers, const Eyes& eyes,
 void BlendRenderer::draw_nearest(std::span<const SurfaceLayer> layers, const Eyes& eyes,
                                  const OffscreenTarget& target) {
   const EyeBorders borders(eyes);
-  const Enabled culling(GL_CULL_FACE);
   const AttachmentKept color(OffscreenTarget::kColorAttachment);
   target.bind();
   glDepthFunc(GL_LESS);
@@ -76,7 +75,6 @@ void BlendRenderer::draw_nearest(std::span<const SurfaceLayer> layers, const Eye
 void BlendRenderer::mix(std::span<const SurfaceLayer> layers, const Eyes& eyes,
                         const GlTexture& nearest_depth) {
   const EyeBorders borders(eyes);
-  const Enabled culling(GL_CULL_FACE);
   const Blending sum(GL_ONE, GL_ONE);
   constexpr std::array<float, 4> kNothing{};
   attach(sum_target_, GL_DEPTH_ATTACHMENT, nearest_depth);
@@ -84,7 +82,8 @@ void BlendRenderer::mix(std::span<const SurfaceLayer> layers, const Eyes& eyes,
   glClearNamedFramebufferfv(sum_target_.name(), GL_COLOR, 0, kNothing.data());
   const DepthKept nearest;
   for (const SurfaceLayer& layer : layers) {
-    programs_.mix.set(shaders::mix_vert::weight, layer.is_background ? kBackgroundWeight : 1);
+    const bool is_background = layer.part == SurfaceLayer::Part::kBackground;
+    programs_.mix.set(shaders::mix_vert::weight, is_background ? kBackgroundWeight : 1);
     painter_.draw(programs_.mix, layer, eyes);
   }
 }

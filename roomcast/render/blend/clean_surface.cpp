@@ -65,8 +65,14 @@ void SurfaceCleaner::finish(const SensorSurface& sensor, const Known& known, Sho
   if (shows == Shows::kNewest) still_colors(sensor, known, surface);
   weigh_colors(shows == Shows::kNewest ? surface.still_color : known.color, options.gain, surface);
   parts_.mesher.build(surface.depth_m,
-                      options.covering != nullptr ? &options.covering->depth_m : nullptr,
+                      {options.covering != nullptr ? &options.covering->depth_m : nullptr},
                       surface.width, surface.height, options.mesh, surface.mesh);
+}
+
+void SurfaceCleaner::find_foreground(const CleanSurface& background,
+                                     const SurfaceMeshOptions& options, CleanSurface& surface) {
+  parts_.mesher.build(surface.depth_m, {&background.depth_m, true}, surface.width, surface.height,
+                      options, surface.foreground);
 }
 
 void SurfaceCleaner::weigh_pixels(const GlTexture& rays, CleanSurface& surface) {

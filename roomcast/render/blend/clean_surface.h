@@ -26,6 +26,7 @@ struct CleanSurface {
   GlTexture quality;         // R16F: weight of the pixel when surfaces are mixed
   GlTexture weighted_color;  // RGBA16F, scaled: rgb times quality, quality; 0 without a colour
   AdaptiveMesh mesh;
+  AdaptiveMesh foreground;  // the triangles before a known background; live surfaces only
   GlTexture between, edge_in_row, still_color;  // intermediate results
 };
 
@@ -55,6 +56,10 @@ class SurfaceCleaner {
   /// Smooths `surface.depth_m` and computes the other textures and the mesh.
   void finish(const SensorSurface& sensor, const Known& known, Shows shows, const Options& options,
               CleanSurface& surface);
+
+  /// Finds the foreground of a finished surface.
+  void find_foreground(const CleanSurface& background, const SurfaceMeshOptions& options,
+                       CleanSurface& surface);
 
  private:
   struct Parts {

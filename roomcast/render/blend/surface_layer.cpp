@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/render/blend/surface_layer.h"
 
+#include "roomcast/render/gl/gl_state.h"
 #include "roomcast/render/view/surface_view.h"
 
 namespace roomcast::render {
 namespace {
 
-constexpr float kBackgroundSetback_m = 0.03F;
+/// How far behind its place a part is drawn, so that live front sides there hide it.
+float setback_m(SurfaceLayer::Part part) {
+  switch (part) {
+    case SurfaceLayer::Part::kLive:
+      return 0;
+    case SurfaceLayer::Part::kBacks:
+      return 0.04F;
+    case SurfaceLayer::Part::kBackground:
+      return 0.03F;
+  }
+  return 0;
+}
 
 }  // namespace
 
@@ -15,18 +27,22 @@ void LayerPainter::draw(AnyLayerProgram program, const SurfaceLayer& layer,
   using shaders::blend_surface_glsl;
   const CleanSurface& surface = *layer.surface;
   set_surface_view(program, surface_view(layer.sensor, layer.world_from_depth, eyes));
-  program.set(shaders::blend_in_view_glsl::setback_m,
-              layer.is_background ? kBackgroundSetback_m : 0);
+  const bool backs = layer.part == SurfaceLayer::Part::kBacks;
+  const AdaptiveMesh& mesh = backs ? surface.foreground : surface.mesh;
+  program.set(shaders::blend_in_view_glsl::setback_m, setback_m(layer.part));
   program.bind(blend_surface_glsl::depth_m, surface.depth_m);
   program.bind(blend_surface_glsl::rays, *layer.rays);
   program.bind(blend_surface_glsl::weighted_color, surface.weighted_color);
   program.bind(blend_surface_glsl::quality, surface.quality);
   program.use();
-  glVertexArrayElementBuffer(vertices_.name(), surface.mesh.indices.name());
+  const Enabled culling(GL_CULL_FACE);
+  glCullFace(backs ? GL_FRONT : GL_BACK);
+  glVertexArrayElementBuffer(vertices_.name(), mesh.indices.name());
   glBindVertexArray(vertices_.name());
-  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, surface.mesh.commands.name());
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.commands.name());
   const GLintptr command = (eyes.count() - 1) * AdaptiveMesh::kCommandBytes;
   glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(command));
+  glCullFace(GL_BACK);
 }
 
 }  // namespace roomcast::render

@@ -11,11 +11,20 @@
 namespace roomcast::render {
 
 struct SurfaceLayer {
+  enum class Part {
+    kLive,
+    /// Of what is before a known background, such as a person: seen where no sensor sees the near
+    /// side, for example a leg's side between the sensors in front of and behind it. Without them
+    /// one sees through the leg.
+    kBacks,
+    kBackground,  // with a lower weight than live surfaces
+  };
+
   SensorId sensor;
   RigidTransform world_from_depth;
   const CleanSurface* surface = nullptr;
   const GlTexture* rays = nullptr;
-  bool is_background = false;  // drawn farther back, with a lower weight than live surfaces
+  Part part = Part::kLive;
 };
 
 /// A program for LayerPainter that ends with these two shaders.
@@ -31,7 +40,8 @@ class LayerPainter {
  public:
   LayerPainter() : vertices_(GlVertexArray::create()) {}
 
-  /// Draws into the bound framebuffer with the current depth test and write masks.
+  /// Draws into the bound framebuffer with the current depth test and write masks. Culls the sides
+  /// that the part does not show.
   void draw(AnyLayerProgram program, const SurfaceLayer& layer, const Eyes& eyes) const;
 
  private:

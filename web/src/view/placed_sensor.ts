@@ -30,7 +30,7 @@ export class PlacedSensor {
     this.surface = new SensorSurface(this.pictures);
     this.memory = mixes ? new BackgroundModel(this.pictures) : undefined;
     this.layers = this.memory
-      ? (['live', 'background'] as const).map((kind) => new BlendLayer(this.memory!, kind))
+      ? (['live', 'backs', 'background'] as const).map((kind) => new BlendLayer(this.memory!, kind))
       : [];
     this.mark = sensorMark(sensorColor(entry.id));
     this.mark.matrixAutoUpdate = false;

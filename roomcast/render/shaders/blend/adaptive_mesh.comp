@@ -10,6 +10,7 @@ layout(binding = 5) uniform sampler2D covering_depth_m;
 
 layout(location = 4) uniform vec2 max_gap;     // metres, and share of the nearest corner's distance
 layout(location = 5) uniform bool is_covered;  // parts on the covering surface are not drawn
+layout(location = 6) uniform bool needs_covering;  // only what lies wholly before that surface is drawn
 
 const int kSide = 16;
 const int kSamples = kSide + 1;
@@ -33,10 +34,11 @@ int node_at(int level, ivec2 cell) {
   return kFirstNode[level] + node.y * across + node.x;
 }
 
-bool is_hidden(ivec2 pixel, float here) {
+bool is_hidden_at(ivec2 pixel, float here) {
   if (!is_covered || here == 0.0) return false;
   float covering = texelFetch(covering_depth_m, pixel, 0).r;
-  return covering > 0.0 && abs(covering - here) < same_surface_gate(here);
+  if (covering == 0.0) return needs_covering;
+  return abs(covering - here) < same_surface_gate(here);
 }
 
 void load_samples(ivec2 first) {
@@ -45,7 +47,7 @@ void load_samples(ivec2 first) {
     ivec2 pixel = first + ivec2(i % kSamples, i / kSamples);
     bool inside = all(lessThan(pixel, size));
     z[i] = inside ? z_at(pixel) : 0.0;
-    hidden[i] = inside && is_hidden(pixel, z[i]);
+    hidden[i] = inside && is_hidden_at(pixel, z[i]);
   }
   for (int i = int(gl_LocalInvocationIndex); i < kNodes; i += kSide * kSide) {
     is_bent[i] = 0u;
@@ -71,7 +73,8 @@ void judge(ivec2 p, int level) {
     bool same_as_before = ((i & 1) != 0 && p.x % side != 0) || ((i >> 1) != 0 && p.y % side != 0);
     if (same_as_before || any(lessThan(cell, ivec2(0))) || any(greaterThanEqual(cell, ivec2(kSide)))) continue;
     int node = node_at(level, cell);
-    if (!lies_in_node(p, (cell / side) * side, side)) atomicOr(is_bent[node], 1u);
+    bool is_part = lies_in_node(p, (cell / side) * side, side) && !(needs_covering && hidden[sample_at(p)]);
+    if (!is_part) atomicOr(is_bent[node], 1u);
     if (!hidden[sample_at(p)]) atomicOr(is_shown[node], 1u);
   }
 }
@@ -106,10 +109,11 @@ void main() {
   bool upper = shown, lower = shown, along_falling = true;
   if (side == 1) {
     float z00 = z[sample_at(p00)], z10 = z[sample_at(p10)], z01 = z[sample_at(p01)], z11 = z[sample_at(p11)];
-    bool all_hidden = hidden[sample_at(p00)] && hidden[sample_at(p10)] && hidden[sample_at(p01)] && hidden[sample_at(p11)];
+    bvec4 corners = bvec4(hidden[sample_at(p00)], hidden[sample_at(p10)], hidden[sample_at(p01)], hidden[sample_at(p11)]);
+    bool is_hidden = needs_covering ? any(corners) : all(corners);
     along_falling = gap(z10, z01) <= gap(z00, z11);
-    upper = !all_hidden && (along_falling ? connected(z00, z01, z10) : connected(z00, z01, z11));
-    lower = !all_hidden && (along_falling ? connected(z10, z01, z11) : connected(z00, z11, z10));
+    upper = !is_hidden && (along_falling ? connected(z00, z01, z10) : connected(z00, z01, z11));
+    lower = !is_hidden && (along_falling ? connected(z10, z01, z11) : connected(z00, z11, z10));
   }
 
   // A prefix sum gives the position of this cell's triangles, after those of all cells before it.

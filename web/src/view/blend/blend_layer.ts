@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// One blended surface of a sensor: the live surface, or the background model's.
+// One blended surface of a sensor: the live surface, the backs of what is live and not background, or the background
+// model's surface.
 import * as THREE from 'three';
 import { edge_m, edgeSlope } from '../sensor_surface';
 import { mixFragmentShader, mixVertexShader, nearestFragmentShader, nearestVertexShader } from './blend_shader';
 import type { BackgroundModel } from './background_model';
 
-const backgroundSetback_m = 0.03;
 const exponent = 4; // weight of directions: higher is sharper, lower hides seams
 
-export type LayerKind = 'live' | 'background';
+/**
+ * `backs`: of what is before a known background, such as a person: seen where no sensor sees the near side, for example a leg's
+ * side between the sensors in front of and behind it. Without them one sees through the leg.
+ */
+export type LayerKind = 'live' | 'backs' | 'background';
+
+/** How far behind its place a layer is drawn, so that live front sides there hide it. */
+const setback_m: Record<LayerKind, number> = { live: 0, backs: 0.04, background: 0.03 };
 
 function drawn(material: THREE.RawShaderMaterial): THREE.Mesh {
   const mesh = new THREE.Mesh(new THREE.BufferGeometry(), material);
@@ -34,14 +41,16 @@ export class BlendLayer {
       uStep: { value: 1 },
       uEdge_m: { value: edge_m },
       uEdgeSlope: { value: edgeSlope },
-      uSetback_m: { value: kind === 'live' ? 0 : backgroundSetback_m },
+      uSetback_m: { value: setback_m[kind] },
+      uBehind_m: { value: null },
+      uForegroundOnly: { value: kind === 'backs' },
       uIsBackground: { value: kind === 'background' },
       uExponent: { value: exponent },
       uColor: { value: null },
       uSize: { value: new THREE.Vector2(lens.width, lens.height) },
       uLive: { value: 1 },
     };
-    const glsl = { glslVersion: THREE.GLSL3, uniforms: this.uniforms, side: THREE.FrontSide } as const;
+    const glsl = { glslVersion: THREE.GLSL3, uniforms: this.uniforms, side: kind === 'backs' ? THREE.BackSide : THREE.FrontSide } as const;
     this.nearest = drawn(
       new THREE.RawShaderMaterial({
         ...glsl,
@@ -81,8 +90,9 @@ export class BlendLayer {
   refresh(): void {
     const { grids, current, sensor } = this.memory;
     const { uniforms } = this;
-    const live = this.kind === 'live';
+    const live = this.kind !== 'background';
     uniforms.uDepth_m!.value = (live ? grids.live : grids.background).texture;
+    uniforms.uBehind_m!.value = grids.background.texture;
     uniforms.uQuality!.value = grids.quality.texture;
     uniforms.uColor!.value = live ? sensor.color : current.meanColor;
     uniforms.uStep!.value = grids.step;

@@ -21,6 +21,8 @@ const layerVertex = /* glsl */ `${passPrecision}
 uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
 uniform sampler2D uDepth_m;  // in the grid; 0: nothing, negative: the live surface lies on it
+uniform sampler2D uBehind_m;  // the background in the grid; 0: unknown, negative: the live surface lies on it
+uniform bool uForegroundOnly;
 uniform sampler2D uRays;     // every pixel: x/z, y/z
 uniform int uStep;
 uniform float uEdge_m;       // a surface may rise by this from one corner to the next,
@@ -29,6 +31,8 @@ uniform float uSetback_m;    // along the eye's ray
 
 const vec4 nowhere = vec4(0.0, 0.0, 2.0, 1.0);
 const ivec2 corners[6] = ivec2[6](ivec2(0, 0), ivec2(0, 1), ivec2(1, 0), ivec2(1, 0), ivec2(0, 1), ivec2(1, 1));
+
+bool isForeground(ivec2 corner) { return texelFetch(uBehind_m, corner, 0).r > 0.0; }
 
 // The grid's cell that this vertex stands on and its depth; 0 where its triangle is not to be drawn.
 ivec2 cell;
@@ -46,6 +50,10 @@ float pulledDepth() {
   float nearest = min(z.x, min(z.y, z.z));
   float rise = max(z.x, max(z.y, z.z)) - nearest;
   cell = origin + corners[corner];
+  if (uForegroundOnly) {
+    covered = !(isForeground(origin + corners[first]) && isForeground(origin + corners[first + 1]) &&
+      isForeground(origin + corners[first + 2]));
+  }
   if (covered || nearest <= 0.0 || rise > uEdge_m + uEdgeSlope * nearest * sqrt(float(uStep))) return 0.0;
   return z[corner - first];
 }
