@@ -17,7 +17,7 @@ test('an unplaced sensor is drawn alone while the others are blended', () => {
   const lost = sensor(Placement.UNPLACED);
   lost.updateVisible(true);
   expect(lost.surface.root.visible).toBe(true);
-  expect(lost.layers.map((layer) => layer.nearest.visible || layer.mixed.visible)).toEqual([false, false]);
+  expect(lost.layers.map((layer) => layer.nearest.visible || layer.mixed.visible)).toEqual([false, false, false]);
 
   const found = sensor(Placement.ALIGNED);
   found.updateVisible(true);
