@@ -130,6 +130,43 @@ struct Shares {
   }
 };
 
+Result<std::vector<Frames>> read_frames(RigFrames& rig, std::size_t count,
+                                        const std::function<void(const std::string&)>& progress) {
+  std::vector<Frames> all;
+  for (auto& sensor : rig.sensors()) {
+    if (progress) progress(fmt::format("reading sensor {}", all.size() + 1));
+    Frames& frames = all.emplace_back();
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto status =
+          rig.read(sensor, sensor.recording.frames[i].index, frames.own.emplace_back());
+      if (!status) return status.error();
+    }
+  }
+  return all;
+}
+
+/// Finds what is left to others in each frame of sensor `which`.
+Shares compare(const std::vector<RigFrames::Sensor>& sensors, std::size_t which,
+               const BetterShownOptions& options, std::vector<Frames>& all) {
+  Frames& frames = all[which];
+  Shares shares;
+  Image<std::uint8_t> steady(frames.own[0].depth_mm.width() / kSide + 1,
+                             frames.own[0].depth_mm.height() / kSide + 1, 0);
+  for (std::size_t i = 0; i < frames.own.size(); ++i) {
+    std::vector<SensorDepth> at_instant;
+    for (std::size_t s = 0; s < all.size(); ++s) {
+      const RigFrames::Sensor& sensor = sensors[s];
+      at_instant.push_back({&sensor.recording.camera.calibration.depth, sensor.world_from_depth,
+                            all[s].own[i].depth_mm.view()});
+    }
+    const MaskImage better = better_shown(at_instant, which, options);
+    const DepthView depth_mm = frames.own[i].depth_mm.view();
+    shares.add(depth_mm, i > 0 ? &frames.own[i - 1].depth_mm : nullptr, better);
+    frames.left_to_others.push_back(blocks_left(better, depth_mm, steady));
+  }
+  return shares;
+}
+
 }  // namespace
 
 Result<RedundancyReport> run_redundancy_bench(
@@ -138,40 +175,21 @@ Result<RedundancyReport> run_redundancy_bench(
   if (rig.sensors.size() < 2) return invalid_argument("redundancy needs a rig of two sensors");
   auto opened = RigFrames::open(folder, rig, 1);
   if (!opened) return opened.error();
-  auto& sensors = opened->sensors();
+  const auto& sensors = opened->sensors();
   std::size_t count = kMaxFrames;
   for (const auto& sensor : sensors) count = std::min(count, sensor.recording.frames.size());
+  auto frames = read_frames(*opened, count, progress);
+  if (!frames) return frames.error();
 
-  std::vector<Frames> frames(sensors.size());
-  for (std::size_t s = 0; s < sensors.size(); ++s) {
-    if (progress) progress("reading " + rig.sensors[s].id);
-    for (std::size_t i = 0; i < count; ++i) {
-      auto& frame = frames[s].own.emplace_back();
-      const auto status = opened->read(sensors[s], sensors[s].recording.frames[i].index, frame);
-      if (!status) return status.error();
-    }
-  }
   RedundancyReport report;
   report.rig = folder.filename().string();
   report.fps = sensors[0].recording.description.fps;
   report.frames = options.frames > 0 ? options.frames : count;
   for (std::size_t s = 0; s < sensors.size(); ++s) {
-    if (progress) progress("comparing " + rig.sensors[s].id);
-    Shares shares;
-    Image<std::uint8_t> steady(frames[s].own[0].depth_mm.width() / kSide + 1,
-                               frames[s].own[0].depth_mm.height() / kSide + 1, 0);
-    for (std::size_t i = 0; i < count; ++i) {
-      std::vector<SensorDepth> at_instant;
-      for (std::size_t o = 0; o < sensors.size(); ++o)
-        at_instant.push_back({&sensors[o].recording.camera.calibration.depth,
-                              sensors[o].world_from_depth, frames[o].own[i].depth_mm.view()});
-      const MaskImage better = better_shown(at_instant, s, options.better);
-      const DepthView depth_mm = frames[s].own[i].depth_mm.view();
-      shares.add(depth_mm, i > 0 ? &frames[s].own[i - 1].depth_mm : nullptr, better);
-      frames[s].left_to_others.push_back(blocks_left(better, depth_mm, steady));
-    }
     SensorRedundancy& sensor = report.sensors.emplace_back();
     sensor.name = rig.sensors[s].id;
+    if (progress) progress("comparing " + sensor.name);
+    const Shares shares = compare(sensors, s, options.better, *frames);
     sensor.better_share = shares.better / std::max(1.0, shares.pixels);
     sensor.better_moving_share = shares.better_moving / std::max(1.0, shares.moving);
     if (progress) progress("encoding " + sensor.name);
@@ -179,7 +197,7 @@ Result<RedundancyReport> run_redundancy_bench(
          {std::pair{Sent::kWhole, &sensor.bytes}, std::pair{Sent::kFrozen, &sensor.frozen_bytes},
           std::pair{Sent::kLeftOut, &sensor.left_out_bytes}}) {
       const auto bytes =
-          encoded_bytes(frames[s], sent, report.fps, report.frames, options.key_interval_s);
+          encoded_bytes((*frames)[s], sent, report.fps, report.frames, options.key_interval_s);
       if (!bytes) return bytes.error();
       *into = *bytes;
     }

@@ -70,7 +70,7 @@ class Publisher {
   static Result<std::unique_ptr<Publisher>> open(PublisherOptions options);
   ~Publisher();
 
-  /// What the hub wants of this sensor.
+  /// The frames that the hub wants of this sensor.
   struct Demand {
     bool is_watched = true;  // somebody is in the room, or records it
     bool is_seen = true;     // and sees what this sensor shows

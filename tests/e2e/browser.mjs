@@ -71,3 +71,9 @@ export async function openPage(context, url) {
   await page.waitForFunction(() => window.roomcast !== undefined);
   return page;
 }
+
+/** Keeps a picture of the page in the folder $ROOMCAST_SHOTS, to be looked at. */
+export async function keepPicture(page, name) {
+  const folder = process.env.ROOMCAST_SHOTS;
+  if (folder) await page.screenshot({ path: `${folder}/${name}.png` });
+}

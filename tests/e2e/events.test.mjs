@@ -6,12 +6,9 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { seriousFindings } from './accessibility.mjs';
-import { openPage, startBrowser } from './browser.mjs';
+import { keepPicture, openPage, startBrowser } from './browser.mjs';
 import { adminsToken, requireBuilt, startHub, startSensor } from './programs.mjs';
 import { slow, until, untilAllShown } from './waiting.mjs';
-
-const shot = (page, name) =>
-  process.env.ROOMCAST_SHOTS ? page.screenshot({ path: `${process.env.ROOMCAST_SHOTS}/${name}.png` }) : undefined;
 
 describe('in the console', () => {
   const data = mkdtempSync(join(tmpdir(), 'roomcast-events-'));
@@ -50,7 +47,7 @@ describe('in the console', () => {
     await details.getByLabel('Mbit/s', { exact: true }).fill('3');
     await details.getByLabel('Frames per second').fill('4');
     assert.deepEqual(await seriousFindings(page), []);
-    await shot(page, 'sensor_settings');
+    await keepPicture(page, 'sensor_settings');
     await details.getByRole('button', { name: 'Apply' }).press('Enter');
     await until('it says so', () => details.innerText(), (text) => /Done\. The sensor joins again/.test(text));
     await until('it has them', () => settingsOf('s0'), (now) => now?.mbit === 3 && now.fps === 4);
@@ -98,7 +95,7 @@ describe('in the console', () => {
     assert.match(list, /s0 refused what an admin asked for: codec lossless/);
     assert.match(list, /an admin changed s0: restart/);
     assert.deepEqual(await seriousFindings(page), []);
-    await shot(page, 'events');
+    await keepPicture(page, 'events');
   });
 
   test('the list is filtered by keyboard and saved as CSV and JSON', slow, async () => {
@@ -124,7 +121,7 @@ describe('in the console', () => {
     await page.getByRole('button', { name: 'Close the console' }).click();
     assert.ok(await page.locator('#hint').isVisible(), 'it comes back: nobody has moved yet');
     await page.getByRole('button', { name: 'Console', exact: true }).click();
-    await shot(page, 'events_phone');
+    await keepPicture(page, 'events_phone');
     const unexpected = page.complaints.filter((text) => !/status of 400/.test(text)); // what the sensor refused
     assert.deepEqual(unexpected, []);
   });

@@ -85,23 +85,18 @@ export async function pressOnBoard(page, panelOf, text) {
   };
   const found = await until(`the button ${text}`, buttons, (all) => all.some((button) => button.text === text));
   const { at } = found.find((button) => button.text === text);
-  await page.evaluate((target) => {
-    // The hand is beside the head, and the wearer's own space differs from the room by where they stand.
+  const target = await page.evaluate(([x, y, z]) => {
+    // The wearer's own space differs from the room by where they stand.
     const { head } = window.roomcast.headset();
-    const { device } = window;
+    const { position, quaternion } = window.device;
     const heading = Math.atan2(2 * (head.qw * head.qy), 1 - 2 * head.qy * head.qy);
-    const ownHeading = Math.atan2(2 * (device.quaternion.w * device.quaternion.y), 1 - 2 * device.quaternion.y * device.quaternion.y);
+    const ownHeading = Math.atan2(2 * (quaternion.w * quaternion.y), 1 - 2 * quaternion.y * quaternion.y);
     const turn = ownHeading - heading;
-    const [dx, dy, dz] = [target[0] - head.x, target[1] - head.y, target[2] - head.z];
-    const aim = [Math.cos(turn) * dx + Math.sin(turn) * dz, dy, -Math.sin(turn) * dx + Math.cos(turn) * dz];
-    const yaw = Math.atan2(-aim[0], -aim[2]);
-    const pitch = Math.atan2(aim[1], Math.hypot(aim[0], aim[2]));
-    const { right } = device.controllers;
-    right.position.set(device.position.x, device.position.y, device.position.z);
-    const [cy, sy, cp, sp] = [Math.cos(yaw / 2), Math.sin(yaw / 2), Math.cos(pitch / 2), Math.sin(pitch / 2)];
-    right.quaternion.set(cy * sp, sy * cp, -sy * sp, cy * cp);
+    const [dx, dy, dz] = [x - head.x, y - head.y, z - head.z];
+    const [sin, cos] = [Math.sin(turn), Math.cos(turn)];
+    return [position.x + cos * dx + sin * dz, position.y + dy, position.z - sin * dx + cos * dz];
   }, at);
-  await pictures(page, 3);
+  await pointAt(page, target);
   await pullTrigger(page);
   await delay(50);
 }

@@ -2,7 +2,7 @@
 // In the emulated headset a hand points at the room's surfaces, which the others see, and measures between them.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { openPage, startBrowser } from './browser.mjs';
+import { keepPicture, openPage, startBrowser } from './browser.mjs';
 import { pointAt, pressOnBoard, pullTrigger, wearHeadsets } from './headset_device.mjs';
 import { requireBuilt, startHub, startSensor } from './programs.mjs';
 import { distance, slow, stateOf, until, untilAllShown } from './waiting.mjs';
@@ -37,9 +37,6 @@ describe('a hand in a headset', () => {
     const { viewerId } = await stateOf(page);
     return (await other.evaluate(() => window.roomcast.otherPoses())).find((pose) => pose.viewerId === viewerId)?.pointsAt ?? null;
   };
-  const shot = async (name) => {
-    if (process.env.ROOMCAST_SHOTS) await page.screenshot({ path: `${process.env.ROOMCAST_SHOTS}/${name}.png` });
-  };
   const own = ([x, y, z]) => [x - 0.5, y, z - 1.5]; // where the wearer has entered
   const left = [-0.6, 0, 0.2]; // on the floor
   const right = [-0.6, 0, -0.6];
@@ -50,7 +47,7 @@ describe('a hand in a headset', () => {
     await grip(1);
     const at = await until('they see it', pointerSeen, (pointer) => pointer !== null);
     assert.ok(distance(at, left) < 0.15, `${at}`);
-    await shot('headset_laser');
+    await keepPicture(page, 'headset_laser');
     await grip(0);
     await until('it is gone', pointerSeen, (pointer) => pointer === null);
   });
@@ -68,7 +65,7 @@ describe('a hand in a headset', () => {
     const metres = Number(/([\d.]+) m$/.exec(panel.tile.texts.find((text) => / m$/.test(text)))[1]);
     assert.ok(Math.abs(metres - 0.8) < 0.15, `${metres} m`);
     assert.deepEqual((await headset()).standing, standing, 'the trigger has not teleported');
-    await shot('headset_measuring');
+    await keepPicture(page, 'headset_measuring');
     await press('Leave it for everybody');
     const marks = await until('all have it', () => other.evaluate(() => window.roomcast.marks()), (list) => list.length === 1);
     assert.equal(marks[0].points.length, 6);

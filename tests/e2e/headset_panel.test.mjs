@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'n
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
-import { openPage, startBrowser } from './browser.mjs';
+import { keepPicture, openPage, startBrowser } from './browser.mjs';
 import { pressOnBoard, wearHeadsets } from './headset_device.mjs';
 import { requireBuilt, startHub, startSensor } from './programs.mjs';
 import { slow, until, untilAllShown } from './waiting.mjs';
@@ -33,10 +33,6 @@ when = ["after-condition"]
   text = "How sick do you feel, from 0 to 20?"
   kind = "number"
 `;
-
-const shot = async (page, name) => {
-  if (process.env.ROOMCAST_SHOTS) await page.screenshot({ path: `${process.env.ROOMCAST_SHOTS}/${name}.png` });
-};
 
 describe('in a headset', () => {
   const folder = mkdtempSync(join(tmpdir(), 'roomcast-headset-'));
@@ -74,7 +70,7 @@ describe('in a headset', () => {
     await press(page, 'Menu');
     const { board } = await untilPanel(page, 'the panel', has('Leave the headset'));
     assert.ok(board.buttons.some(({ text, isOn }) => text === 'Bo' && isOn), JSON.stringify(board));
-    await shot(page, 'headset_menu');
+    await keepPicture(page, 'headset_menu');
     await press(page, 'Bo');
     await untilPanel(page, 'he is muted', has('Bo (muted)'));
     await press(page, 'Bo (muted)');
@@ -96,7 +92,7 @@ describe('in a headset', () => {
     await sensor.end('SIGKILL');
     const isTold = ({ tile }) => /gone/.test(tile?.texts.join(' ') ?? '');
     await untilPanel(page, 'the tile says what is wrong', isTold);
-    await shot(page, 'headset_trouble');
+    await keepPicture(page, 'headset_trouble');
     sensor = startSensor(hub, 0, { fps: 2 });
     await untilPanel(page, 'all is well', (panel) => !isTold(panel));
 
@@ -114,7 +110,7 @@ describe('in a headset', () => {
     const page = await openPage(browser.context, `${hub.page}?study=1&${view}`);
     await page.getByRole('button', { name: 'Put on the headset' }).click();
     await untilPanel(page, 'the consent', has('We keep what you answer.'));
-    await shot(page, 'headset_consent');
+    await keepPicture(page, 'headset_consent');
     await press(page, 'I agree and want to take part');
     await untilPanel(page, 'the number', has('Continue'));
     await press(page, 'Continue');
@@ -125,7 +121,7 @@ describe('in a headset', () => {
     await untilPanel(page, 'a question', has('I had the feeling of being in that room.'));
     await press(page, '6');
     await untilPanel(page, 'it is chosen', ({ board }) => board.buttons.some(({ text, isOn }) => text === '6' && isOn));
-    await shot(page, 'headset_question');
+    await keepPicture(page, 'headset_question');
     await press(page, 'Next question');
     await untilPanel(page, 'the next one', has('How sick do you feel, from 0 to 20?'));
     await press(page, 'Continue');
@@ -133,7 +129,7 @@ describe('in a headset', () => {
     await press(page, '1');
     await press(page, '2');
     await untilPanel(page, 'twelve', has('12'));
-    await shot(page, 'headset_number');
+    await keepPicture(page, 'headset_number');
     await press(page, 'Continue');
     await untilPanel(page, 'the end', has('All is sent. You can close this page.'));
     const participants = join(folder, 'sessions', 'participants');

@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { describe, test } from 'node:test';
 import { natsIsMissing, startNode } from '../network/nats.mjs';
 import { freePort } from '../network/nginx.mjs';
-import { openPage, startBrowser } from './browser.mjs';
+import { keepPicture, openPage, startBrowser } from './browser.mjs';
 import { requireBuilt, run, startHub, startSensor } from './programs.mjs';
 import { slow, stateOf, until, untilAllShown } from './waiting.mjs';
 
@@ -78,7 +78,7 @@ describe('the page of a hub beside others', () => {
       await untilAllShown(page, 1);
       assert.equal(page.url(), address);
       assert.ok(!page.complaints.some((complaint) => /Security Policy/.test(complaint)), page.complaints.join('\n'));
-      if (process.env.ROOMCAST_SHOTS) await page.screenshot({ path: join(process.env.ROOMCAST_SHOTS, 'other_hub.png') });
+      await keepPicture(page, 'other_hub');
     });
   }
 

@@ -3,7 +3,7 @@
 // stick, on a table, not on a wall; it is there again when the headset is put on the next time.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { openPage, startBrowser } from './browser.mjs';
+import { keepPicture, openPage, startBrowser } from './browser.mjs';
 import { pointAt, pressOnBoard, pullTrigger, wearHeadsets } from './headset_device.mjs';
 import { requireBuilt, startHub, startSensor } from './programs.mjs';
 import { distance, slow, until, untilAllShown } from './waiting.mjs';
@@ -30,9 +30,6 @@ describe('the room in one’s own room', () => {
   const headset = () => page.evaluate(() => window.roomcast.headset());
   const untilHeadset = (what, enough) => until(what, headset, enough);
   const press = (text) => pressOnBoard(page, async () => (await headset()).panel, text);
-  const shot = async (name) => {
-    if (process.env.ROOMCAST_SHOTS) await page.screenshot({ path: `${process.env.ROOMCAST_SHOTS}/${name}.png` });
-  };
   /** Where a point of the own room is in the remote room. */
   const inRoom = ({ x, y, z, yaw }, [px, py, pz]) => {
     const [sin, cos] = [Math.sin(yaw), Math.cos(yaw)];
@@ -68,7 +65,7 @@ describe('the room in one’s own room', () => {
     await pointAt(page, other);
     const { standing } = await untilHeadset('it has moved', (now) => near(inRoom(now.standing, other), held));
     assert.ok(Math.abs(standing.y) < 0.001 && Math.abs(standing.yaw - before.yaw) < 0.001, JSON.stringify(standing));
-    await shot('own_room_placing');
+    await keepPicture(page, 'own_room_placing');
   });
 
   test('a stick turns it about that point', slow, async () => {
@@ -92,7 +89,7 @@ describe('the room in one’s own room', () => {
     ({ standing: placed } = await untilHeadset('it is put down', ({ places }) => !places));
     await pointAt(page, floor);
     await untilHeadset('it stays', (now) => near(inRoom(now.standing, table), inRoom(placed, table)));
-    await shot('own_room_placed');
+    await keepPicture(page, 'own_room_placed');
   });
 
   test('it is there again the next time', slow, async () => {

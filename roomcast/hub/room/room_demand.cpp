@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a Room wants of its sensors: frames, layer 0 only, or none, and at which rate.
+// A Room tells its sensors which frames it wants (all, those of layer 0, or none), and at which
+// rate.
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -37,7 +38,8 @@ bool Room::is_watched() const {
   return wants_all() || !viewers_.empty();
 }
 
-/// Somebody gets everything, wherever the viewers look: a recorder, a relay, an earlier viewer.
+/// True if the sensors send all frames wherever the viewers look, because a recorder, a relay or an
+/// earlier version of a viewer gets them all.
 bool Room::wants_all() const {
   return settings_.stream_unwatched || is_watched_elsewhere_ ||
          culling_.viewer_count() < viewers_.size();

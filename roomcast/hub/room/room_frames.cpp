@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 #include "roomcast/hub/room/room.h"
 #include "roomcast/wire/limits.h"
@@ -102,9 +103,8 @@ void Room::follow_surface(RoomSensor& sensor) {
 
 /// Tells viewers and their queues of the frames that are left out from now on.
 void Room::cull(RoomTime now, RoomActions& out) {
-  bool has_changed = false;
-  for (ViewCulling::Change& change : culling_.update(now)) {
-    has_changed = true;
+  std::vector<ViewCulling::Change> changes = culling_.update(now);
+  for (ViewCulling::Change& change : changes) {
     pb::Control message;
     pb::UnseenSensors& unseen = *message.mutable_unseen_sensors();
     for (std::uint32_t sensor = 0; sensor < change.details.size(); ++sensor) {
@@ -117,7 +117,7 @@ void Room::cull(RoomTime now, RoomActions& out) {
       std::ranges::move(key_needed(sensor, now), std::back_inserter(out));
     }
   }
-  if (has_changed) tell_demands(now, out);
+  if (!changes.empty()) tell_demands(now, out);
 }
 
 }  // namespace roomcast::hub

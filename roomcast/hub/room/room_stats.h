@@ -52,8 +52,7 @@ struct ViewerStats {
   ConnectionId connection = {};
   std::string token_id = {};  // of the token that it joined with
   bool records = false;
-  std::string plays =
-      {};  // the recording that it plays, in place of the room; empty: it is in the room
+  std::string plays = {};  // a recording, instead of being in the room; empty: it is in the room
   bool may_speak = false;
   bool speaks = false;                  // at present
   bool muted = false;                   // by an admin

@@ -68,7 +68,7 @@ RoomActions Room::mute(ViewerId speaker, bool muted, RoomTime now) {
   return tick(now);
 }
 
-/// Who joins with it later is muted, too.
+/// Mutes also those who join with this token later.
 void Room::mute_token(const std::string& token_id, bool muted) {
   if (token_id.empty()) return;
   muted ? void(muted_tokens_.insert(token_id)) : void(muted_tokens_.erase(token_id));

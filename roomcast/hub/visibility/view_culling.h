@@ -53,7 +53,7 @@ class ViewCulling {
   [[nodiscard]] std::vector<Change> update(RoomTime now);
   /// The viewers who have told their angle of view; the others get everything.
   [[nodiscard]] std::size_t viewer_count() const { return viewers_.size(); }
-  /// What these viewers get of a sensor at present.
+  /// The number of these viewers who get all frames of a sensor at present, and layer 0 only.
   struct Wishes {
     std::size_t all = 0, base_only = 0;  // viewers; the rest gets nothing
   };

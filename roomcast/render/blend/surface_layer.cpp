@@ -9,15 +9,9 @@ namespace {
 
 /// How far behind its place a part is drawn, so that live front sides there hide it.
 float setback_m(SurfaceLayer::Part part) {
-  switch (part) {
-    case SurfaceLayer::Part::kLive:
-      return 0;
-    case SurfaceLayer::Part::kBacks:
-      return 0.04F;
-    case SurfaceLayer::Part::kBackground:
-      return 0.03F;
-  }
-  return 0;
+  using Part = SurfaceLayer::Part;
+  if (part == Part::kLive) return 0;
+  return part == Part::kBacks ? 0.04F : 0.03F;
 }
 
 }  // namespace

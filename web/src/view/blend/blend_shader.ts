@@ -45,16 +45,16 @@ float pulledDepth() {
   float a = texelFetch(uDepth_m, origin + corners[first], 0).r;
   float b = texelFetch(uDepth_m, origin + corners[first + 1], 0).r;
   float c = texelFetch(uDepth_m, origin + corners[first + 2], 0).r;
-  bool covered = max(a, max(b, c)) < 0.0;
+  bool isLeftOut = max(a, max(b, c)) < 0.0;
   vec3 z = abs(vec3(a, b, c));
   float nearest = min(z.x, min(z.y, z.z));
   float rise = max(z.x, max(z.y, z.z)) - nearest;
   cell = origin + corners[corner];
   if (uForegroundOnly) {
-    covered = !(isForeground(origin + corners[first]) && isForeground(origin + corners[first + 1]) &&
+    isLeftOut = !(isForeground(origin + corners[first]) && isForeground(origin + corners[first + 1]) &&
       isForeground(origin + corners[first + 2]));
   }
-  if (covered || nearest <= 0.0 || rise > uEdge_m + uEdgeSlope * nearest * sqrt(float(uStep))) return 0.0;
+  if (isLeftOut || nearest <= 0.0 || rise > uEdge_m + uEdgeSlope * nearest * sqrt(float(uStep))) return 0.0;
   return z[corner - first];
 }
 
