@@ -157,6 +157,7 @@ void add_bench_command(CLI::App& app, Command& chosen) {
   add_register_bench(*bench, chosen);
   add_align_bench(*bench, chosen);
   add_fanout_bench(*bench, chosen);
+  add_frame_times_bench(*bench, chosen);
   add_abuse_bench(*bench, chosen);
   add_latency_bench(*bench, chosen);
   add_line_bench(*bench, chosen);

@@ -9,6 +9,7 @@ namespace roomcast::cli {
 void add_abuse_bench(CLI::App& bench, Command& chosen);
 void add_align_bench(CLI::App& bench, Command& chosen);
 void add_fanout_bench(CLI::App& bench, Command& chosen);
+void add_frame_times_bench(CLI::App& bench, Command& chosen);
 void add_latency_bench(CLI::App& bench, Command& chosen);
 void add_line_bench(CLI::App& bench, Command& chosen);
 void add_model_bench(CLI::App& bench, Command& chosen);

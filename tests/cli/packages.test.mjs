@@ -90,7 +90,7 @@ test('completion_knows_commands_and_their_options', { skip }, () => {
       { env: { ...process.env, PATH: `${unpacked('bin')}:${process.env.PATH}` } }).trim();
   assert.equal(complete('roomcast', 'reco'), 'record');
   assert.match(complete('roomcast', 'record', '--sec'), /^--seconds$/);
-  assert.equal(complete('roomcast', 'bench', 're'), 'register real render');
+  assert.equal(complete('roomcast', 'bench', 're'), 'register real redundancy render');
   assert.match(complete('roomcast', 'bench', 'codec', '--back'), /^--back-and-forth$/);
   assert.equal(complete('roomcast', 'hub', '--log', ''), 'text json');
   assert.equal(complete('roomcast', 'export', 'room.mcap', '--format', 'g'), 'gltf');

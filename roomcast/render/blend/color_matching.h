@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // ColorMatching: corrects colour differences between cameras (white balance, exposure). Computes a
 // factor per sensor and channel from surfaces that two sensors both see: the median ratio of each
-// pair, then log_gains() over all pairs. Runs on the CPU, on a fraction of the pictures.
-// Single-threaded.
+// pair, then log_gains() over all pairs. Runs on the CPU, on a fraction of the pictures and a few
+// pairs at a time, so that no picture of a large room waits for it. Single-threaded.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -25,29 +28,51 @@ class ColorMatching {
              MaskView seen);
   void forget(SensorId sensor);
 
-  /// Recomputes the factors if there are new pictures. A change is applied over several updates.
+  /// Compares pairs of sensors that have new pictures or poses, at most kMaxComparisons of them,
+  /// and recomputes the factors. A change is applied over several updates.
   void update(const std::map<SensorId, RigidTransform>& world_from_depth);
 
   /// Factors, red first; 1 while nothing is known.
   [[nodiscard]] Eigen::Vector3f gain(SensorId sensor) const;
 
   static constexpr int kEvery = 10;
+  static constexpr std::size_t kMaxComparisons = 32;  // per update: all pairs of six sensors
 
  private:
+  /// A place that a sensor sees: where, in its depth frame in metres, and in which colour.
+  struct Place {
+    Eigen::Vector3d point_m;
+    Rgb8 color;
+  };
   struct Picture {
     CameraIntrinsics lens;
     DepthImage depth_mm;
     ColorImage color;
     MaskImage seen;
+    std::vector<Place> places;  // on a grid
     Eigen::Vector3f log_gain = Eigen::Vector3f::Zero();
-    int skipped = kEvery;  // so that the first picture is used
+    int skipped = kEvery;       // so that the first picture is used
+    std::uint64_t version = 0;  // grows with each picture that is used
   };
-  /// Of the two cameras; it does not know their numbers.
+  /// What a sensor's places look like to another one.
+  struct Comparison {
+    std::uint64_t version = 0, other_version = 0;  // of the compared pictures; 0: none yet
+    RigidTransform other_from_sensor;
+    std::uint64_t made_in = 0;        // number of the update
+    std::optional<ColorRatio> ratio;  // the cameras' numbers are not set
+  };
+  using Pair = std::pair<SensorId, SensorId>;
+
+  [[nodiscard]] static std::vector<Place> places_of(const Picture& picture);
   [[nodiscard]] static std::optional<ColorRatio> compare(const Picture& a, const Picture& b,
                                                          const RigidTransform& b_from_a);
+  [[nodiscard]] std::vector<Pair> outdated(
+      const std::map<SensorId, RigidTransform>& world_from_depth);
+  void solve(const std::map<SensorId, RigidTransform>& world_from_depth);
 
   std::map<SensorId, Picture> pictures_;
-  bool is_news_ = false;
+  std::map<Pair, Comparison> comparisons_;
+  std::uint64_t updates_ = 0;
 };
 
 }  // namespace roomcast::render

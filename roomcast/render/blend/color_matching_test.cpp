@@ -78,5 +78,33 @@ TEST(ColorMatching, does_without_sensors_that_have_no_colour_and_those_that_left
   EXPECT_EQ(colors.gain(kRight), Eigen::Vector3f::Ones());
 }
 
+TEST(ColorMatching, of_a_large_room_takes_turns) {
+  ColorMatching colors;
+  std::map<SensorId, RigidTransform> poses;
+  const auto show_all = [&] {
+    for (std::uint16_t i = 0; i < 12; ++i) {
+      show(colors, SensorId{i}, i < 6 ? Rgb8{100, 100, 100} : Rgb8{121, 121, 121});
+      poses[SensorId{i}] = kHere;
+    }
+  };
+  for (int i = 0; i < 20; ++i) {
+    show_all();
+    for (int j = 0; j < ColorMatching::kEvery; ++j) colors.update(poses);
+  }
+  for (std::uint16_t i = 0; i < 12; ++i) {
+    EXPECT_NEAR(colors.gain(SensorId{i}).x(), i < 6 ? 1.1F : 1 / 1.1F, 0.01F) << i;
+  }
+}
+
+TEST(ColorMatching, changes_nothing_while_nothing_is_new) {
+  ColorMatching colors;
+  show(colors, kLeft, {100, 100, 100});
+  show(colors, kRight, {121, 121, 121});
+  colors.update(kSamePlace);
+  const Eigen::Vector3f once = colors.gain(kLeft);
+  colors.update(kSamePlace);
+  EXPECT_EQ(colors.gain(kLeft), once);
+}
+
 }  // namespace
 }  // namespace roomcast::render

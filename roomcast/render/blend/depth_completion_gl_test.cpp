@@ -69,7 +69,7 @@ TEST_F(DepthCompletionTest, a_shadow_or_another_exposure_makes_no_thing_of_it) {
 }
 
 TEST_F(DepthCompletionTest, a_few_pixels_are_no_thing) {
-  EXPECT_NEAR(middle(without_readings(kDark, 1)).r, kWall.r, 40);
+  EXPECT_GT(middle(without_readings(kDark, 1)).r, (kDark.r + kWall.r) / 2);
 }
 
 TEST_F(DepthCompletionTest, a_thing_hangs_on_the_wall_or_is_as_near_as_its_frame) {

@@ -2,12 +2,12 @@
 #include "roomcast/render/gl/gl_context.h"
 
 #include <array>
-#include <cstdio>
 #include <utility>
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include "roomcast/render/gl/egl_display.h"
 #include "roomcast/render/gl/gl_libraries.h"
 
 namespace roomcast::render {
@@ -15,15 +15,6 @@ namespace {
 
 constexpr int kGlMajor = 4;
 constexpr int kGlMinor = 5;
-
-Error no_context(const char* what_failed) {
-  char code[16];
-  std::snprintf(code, sizeof code, "0x%04x", static_cast<unsigned>(eglGetError()));
-  return Error{ErrorCode::kUnavailable,
-               std::string("OpenGL 4.5 without a window is not to be had here (") + what_failed +
-                   ", EGL code " + code +
-                   "); install Mesa's drivers: apt install libegl1 libgl1 libgl1-mesa-dri"};
-}
 
 bool worth_keeping(GLenum source, GLenum type) {
   if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return false;  // make_program returns these
@@ -39,20 +30,6 @@ void GLAPIENTRY keep_complaint(GLenum source, GLenum type, GLuint /*id*/, GLenum
   if (complaints->texts.size() < GlComplaints::kMaxTexts) {
     complaints->texts.emplace_back(text, static_cast<std::size_t>(length));
   }
-}
-
-EGLDisplay surfaceless_display() {
-  if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base") ||
-      !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
-    return EGL_NO_DISPLAY;
-  }
-  return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
-}
-
-bool can_do_without_surface_and_config(EGLDisplay display) {
-  return epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context") &&
-         (epoxy_has_egl_extension(display, "EGL_KHR_no_config_context") ||
-          epoxy_has_egl_extension(display, "EGL_MESA_configless_context"));
 }
 
 EGLContext core_context(EGLDisplay display) {
@@ -72,15 +49,13 @@ EGLContext core_context(EGLDisplay display) {
 
 Result<EglContext> EglContext::create() {
   if (auto found = find_gl_libraries(); !found) return found.error();
-  const EGLDisplay display = surfaceless_display();
-  if (display == EGL_NO_DISPLAY) return no_context("EGL knows no surfaceless platform");
-  if (!eglInitialize(display, nullptr, nullptr)) return no_context("EGL did not start");
-  if (!can_do_without_surface_and_config(display)) return no_context("EGL insists on a surface");
-  if (!eglBindAPI(EGL_OPENGL_API)) return no_context("EGL offers no desktop OpenGL");
-  const EGLContext context = core_context(display);
-  if (context == EGL_NO_CONTEXT) return no_context("the driver refused a 4.5 core context");
+  const auto display = display_without_window();
+  if (!display) return display.error();
+  const EGLContext context = core_context(*display);
+  if (context == EGL_NO_CONTEXT)
+    return no_drawing_without_window("the driver refused a 4.5 core context");
 
-  EglContext made(display, context);
+  EglContext made(*display, context);
   if (Status started = made.start(); !started) return std::move(started).error();
   return made;
 }
@@ -91,7 +66,7 @@ EglContext::EglContext(void* display, void* context)
 Status EglContext::start() {
   if (Status current = make_current(); !current) return current;
   if (!epoxy_is_desktop_gl() || epoxy_gl_version() < 10 * kGlMajor + kGlMinor) {
-    return no_context("the driver gave an older OpenGL");
+    return no_drawing_without_window("the driver gave an older OpenGL");
   }
   glEnable(GL_DEBUG_OUTPUT);
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
@@ -122,7 +97,7 @@ EglContext& EglContext::operator=(EglContext&& other) noexcept {
 
 Status EglContext::make_current() {
   if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) return {};
-  return no_context("the context could not be made current");
+  return no_drawing_without_window("the context could not be made current");
 }
 
 std::string EglContext::driver_name() const {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// EglContext: an OpenGL 4.5 core context without a window, on EGL's surfaceless platform. Mesa's
-// software driver (llvmpipe) offers that platform on any machine; the drivers of graphics cards
-// offer it, too. Threading: a context is current on one thread at a time; all code in render/ uses
-// the context that is current on the calling thread. Source: EGL_MESA_platform_surfaceless,
-// EGL_KHR_surfaceless_context, EGL_KHR_no_config_context, KHR_debug.
+// EglContext: an OpenGL 4.5 core context without a window, on a graphics card or in software
+// (egl_display.h). Threading: a context is current on one thread at a time; all code in render/
+// uses the context that is current on the calling thread. Source: EGL_KHR_surfaceless_context,
+// EGL_KHR_no_config_context, KHR_debug.
 #pragma once
 
 #include <cstdint>

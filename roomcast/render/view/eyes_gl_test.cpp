@@ -25,19 +25,25 @@ Picture read_eye(const OffscreenTarget& target, int eye) {
   return {target.read_color(eye), target.read_sensors(eye)};
 }
 
+/// Some drivers draw a square whose centre lies beside the picture, others do not. At the border
+/// between the eyes none does, so near the sides two eyes can lack squares that one eye has.
+constexpr int kSideOfSquares_px = 8;
+
 /// Share of the pixels that differ by more than a rounding of their colour.
-double share_of_others(const Picture& a, const Picture& b) {
+double share_of_others(const Picture& a, const Picture& b, RenderMode mode) {
   constexpr int kRounding = 1;
-  int others = 0;
-  const auto pixels = a.color.view().pixel_count();
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const Rgb8 p = a.color.data()[i], q = b.color.data()[i];
-    const bool alike = std::abs(p.r - q.r) <= kRounding && std::abs(p.g - q.g) <= kRounding &&
-                       std::abs(p.b - q.b) <= kRounding &&
-                       a.sensors.data()[i] == b.sensors.data()[i];
-    others += alike ? 0 : 1;
+  const int side = mode == RenderMode::kSplats ? kSideOfSquares_px : 0;
+  int others = 0, pixels = 0;
+  for (int y = 0; y < a.color.height(); ++y) {
+    for (int x = side; x < a.color.width() - side; ++x, ++pixels) {
+      const Rgb8 p = a.color.at(x, y), q = b.color.at(x, y);
+      const bool alike = std::abs(p.r - q.r) <= kRounding && std::abs(p.g - q.g) <= kRounding &&
+                         std::abs(p.b - q.b) <= kRounding &&
+                         a.sensors.at(x, y) == b.sensors.at(x, y);
+      others += alike ? 0 : 1;
+    }
   }
-  return static_cast<double>(others) / static_cast<double>(pixels);
+  return static_cast<double>(others) / pixels;
 }
 
 class TwoEyes : public RoomTest, public ::testing::WithParamInterface<RenderMode> {
@@ -77,9 +83,10 @@ INSTANTIATE_TEST_SUITE_P(Modes, TwoEyes, ::testing::ValuesIn(kRenderModes),
 TEST_P(TwoEyes, see_what_each_sees_alone) {
   const ViewCamera left = eye_at({-0.03, 1.65, 0.1}), right = eye_at({0.034, 1.65, 0.1});
   const OffscreenTarget both = draw_both({left, right});
-  EXPECT_LT(share_of_others(read_eye(both, 0), draw(left, GetParam())), 2e-3);
-  EXPECT_LT(share_of_others(read_eye(both, 1), draw(right, GetParam())), 2e-3);
-  EXPECT_GT(share_of_others(read_eye(both, 0), read_eye(both, 1)), 0.02) << "and not the same";
+  EXPECT_LT(share_of_others(read_eye(both, 0), draw(left, GetParam()), GetParam()), 2e-3);
+  EXPECT_LT(share_of_others(read_eye(both, 1), draw(right, GetParam()), GetParam()), 2e-3);
+  EXPECT_GT(share_of_others(read_eye(both, 0), read_eye(both, 1), GetParam()), 0.02)
+      << "and not the same";
 }
 
 TEST_P(TwoEyes, keep_to_their_parts_of_the_picture) {
@@ -95,7 +102,7 @@ TEST_P(TwoEyes, keep_to_their_parts_of_the_picture) {
   const OffscreenTarget right_sees = draw_both({away, ahead});
   EXPECT_EQ(read_eye(right_sees, 0).color, nothing.color);
   EXPECT_EQ(read_eye(right_sees, 0).sensors, nothing.sensors);
-  EXPECT_LT(share_of_others(read_eye(right_sees, 1), draw(ahead, GetParam())), 2e-3);
+  EXPECT_LT(share_of_others(read_eye(right_sees, 1), draw(ahead, GetParam()), GetParam()), 2e-3);
 }
 
 TEST_P(TwoEyes, may_have_different_lenses_and_an_odd_width) {
@@ -103,8 +110,8 @@ TEST_P(TwoEyes, may_have_different_lenses_and_an_odd_width) {
   left.width = right.width = 117;
   right.vertical_fov_rad *= 0.8;
   const OffscreenTarget both = draw_both({left, right});
-  EXPECT_LT(share_of_others(read_eye(both, 0), draw(left, GetParam())), 2e-3);
-  EXPECT_LT(share_of_others(read_eye(both, 1), draw(right, GetParam())), 2e-3);
+  EXPECT_LT(share_of_others(read_eye(both, 0), draw(left, GetParam()), GetParam()), 2e-3);
+  EXPECT_LT(share_of_others(read_eye(both, 1), draw(right, GetParam()), GetParam()), 2e-3);
 }
 
 /// Counts the draw and dispatch calls to the driver.
