@@ -8,6 +8,7 @@ skipped=0
 skipped_tests=()
 failed_tests=()
 readonly shown_failure_lines=100
+readonly shown_failure_lines_of_test=40
 readonly shown_name_characters=300  # of a failed test in the summary
 
 # Each reader converts a suite's report to: passed failed skipped.
@@ -38,8 +39,19 @@ skipped_in_tap() {
   sed -n 's/^ *ok [0-9]* - \(.*\) # SKIP *\(.*\)$/\1: \2/p' "$1"
 }
 
-# The end of CTest's log lists what failed.
-failed_in_junit() { :; }
+# The end of what each failed test printed, under its name.
+failed_in_junit() {
+  awk -v shown="$shown_failure_lines_of_test" '
+    /<testcase / {split($0, part, "\""); name = part[2]; count = 0; fails = /status="fail"/; next}
+    !fails {next}
+    /<\/testcase>/ {
+      print "not ok - " name
+      for (i = count > shown ? count - shown : 0; i < count; ++i) print "  " line[i]
+      fails = 0
+    }
+    !/^[ \t]*<\/?(failure|properties|property|system-err)/ && NF {line[count++] = $0}' "$1" |
+    sed 's/<[/]*system-out>//; s/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&amp;/\&/g'
+}
 
 names_of_failed_in_junit() {
   sed -n 's/^.*<testcase name="\([^"]*\)".* status="fail".*$/\1/p' "$1"

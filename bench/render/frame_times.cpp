@@ -78,10 +78,7 @@ class FrameTimes {
  public:
   FrameTimes(const std::vector<RigFrames::Sensor>& sensors, std::vector<FrameSet> sets,
              const render::ViewCamera& head, const FrameTimesOptions& options)
-      : sensors_(sensors),
-        sets_(std::move(sets)),
-        head_(head),
-        options_(options) {
+      : sensors_(sensors), sets_(std::move(sets)), head_(head), options_(options) {
     head_.width = head_.height = options.eye_pixels;
   }
 
@@ -158,8 +155,7 @@ Result<FrameTimesRow> FrameTimes::measure(render::RenderMode mode, int sensors) 
       glFinish();
       const auto begin = Clock::now();
       Status status;
-      if (j == 0)
-        status = show(*room, sets_[static_cast<std::size_t>(i) % sets_.size()], sensors);
+      if (j == 0) status = show(*room, sets_[static_cast<std::size_t>(i) % sets_.size()], sensors);
       if (!status) return status.error();
       const GpuTimer timer;
       status = room->draw(eyes_at(picture), *target, mode);
@@ -187,7 +183,8 @@ Status FrameTimesOptions::check() const {
   if (sensors.empty()) return wrong("no number of sensors is given");
   for (const int count : sensors) {
     if (count < 1 || count > static_cast<int>(render::kMaxRenderedSensors)) {
-      return wrong(fmt::format("{} sensors: a room draws 1 to {}", count, render::kMaxRenderedSensors));
+      return wrong(
+          fmt::format("{} sensors: a room draws 1 to {}", count, render::kMaxRenderedSensors));
     }
   }
   if (!render::is_legal_side(eye_pixels))

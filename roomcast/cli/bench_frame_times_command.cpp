@@ -41,7 +41,9 @@ void add_frame_times_bench(CLI::App& bench, Command& chosen) {
   command->add_option("--eye-pixels", options->eye_pixels, "Width and height for each eye")
       ->check(within(16, 4096))
       ->capture_default_str();
-  command->add_option("--frame-sets", options->frame_sets, "Frame sets that are drawn, three times each")
+  command
+      ->add_option("--frame-sets", options->frame_sets,
+                   "Frame sets that are drawn, three times each")
       ->check(within(1, 10'000))
       ->capture_default_str();
   command->add_flag("--json", *json, "Print JSON");

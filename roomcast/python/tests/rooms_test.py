@@ -12,6 +12,7 @@ from support import HEIGHT, WIDTH, TestCase, color, depth_mm, room_from_sensor, 
 
 CAMERA = roomcast.Intrinsics(width=WIDTH, height=HEIGHT, fx=60, fy=60, cx=31.5, cy=23.5)
 NOBODY = "ws://127.0.0.1:1"
+CLOCK_ERROR_NS = 200_000_000  # a busy machine answers late while a sensor asks for the room's time
 
 
 class Sending:
@@ -59,7 +60,8 @@ class Rooms(TestCase):
             self.assertLess(abs(frame.color.astype(int) - color(n)).max(), 12)
             np.testing.assert_allclose(frame.room_from_sensor, room_from_sensor(n), atol=1e-12)
             self.assertEqual(frame.intrinsics, CAMERA)
-            self.assertTrue(begin < frame.time_ns < time.time_ns())
+            self.assertLess(begin - CLOCK_ERROR_NS, frame.time_ns)
+            self.assertLess(frame.time_ns, time.time_ns() + CLOCK_ERROR_NS)
         self.assertGreater(len(frames.points()), 1000)
         for one in sending:
             self.assertTrue(any(report.sent for report in one.reports))

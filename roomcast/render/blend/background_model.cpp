@@ -90,7 +90,7 @@ void BackgroundUpdater::carve(const SensorSurface& sensor, const OtherSensor& ot
               {real(lens.fx), real(lens.fy), real(lens.cx), real(lens.cy)});
   program.set(carve_comp::other_radial, {real(lens.k1), real(lens.k2), real(lens.k3)});
   program.set(carve_comp::other_tangential, {real(lens.p1), real(lens.p2)});
-  program.set(carve_comp::other_widest_squared, real(widest_radius_squared(lens)));
+  program.set(carve_comp::other_widest_squared, real(other.surface->widest_radius_squared()));
   program.bind(carve_comp::rays, sensor.rays());
   program.bind(carve_comp::other_depth_mm, other.surface->depth_mm());
   program.bind(carve_comp::depth, depth);

@@ -16,6 +16,7 @@ constexpr int kDarkest = 20, kBrightest = 235;  // outside these levels a ratio 
 constexpr double kSamePlace_m = 0.02, kSamePlacePer_m = 0.01;
 constexpr double kPriorPlaces = 10;  // weight of the prior: a factor of 1
 constexpr double kLargestLog = 0.5;
+constexpr int kTurn = 3;         // pictures between the turns of two sensors that begin together
 constexpr float kFollow = 0.5F;  // share of a change that one update applies
 
 /// Copies every `step`-th pixel.
@@ -23,7 +24,13 @@ template <class T>
 void copy(ImageView<const T> from, int step, Image<T>& to) {
   to.resize(from.width / step, from.height / step);
   for (int y = 0; y < to.height(); ++y) {
-    for (int x = 0; x < to.width(); ++x) to.at(x, y) = from.at(step * x, step * y);
+    const T* source = &from.at(0, step * y);
+    T* pixel = &to.at(0, y);
+    if (step == 1) {
+      std::copy_n(source, to.width(), pixel);
+      continue;
+    }
+    for (int x = 0; x < to.width(); ++x) pixel[x] = source[step * x];
   }
 }
 
@@ -43,7 +50,8 @@ void ColorMatching::offer(SensorId sensor, const CameraIntrinsics& lens, DepthVi
   if (color.pixel_count() == 0 || seen.pixel_count() == 0) return;
   Picture& picture = pictures_[sensor];
   if (++picture.skipped < kEvery && same_size(picture.lens, lens)) return;
-  picture.skipped = 0;
+  const bool is_first = picture.version == 0;
+  picture.skipped = is_first ? kTurn * static_cast<int>(pictures_.size()) % kEvery : 0;
   picture.lens = lens;
   copy(depth_mm, 1, picture.depth_mm);
   copy(color, color.width / depth_mm.width, picture.color);

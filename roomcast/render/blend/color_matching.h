@@ -23,7 +23,8 @@ namespace roomcast::render {
 
 class ColorMatching {
  public:
-  /// Uses every kEvery-th picture of a sensor. All images have the size of `lens`.
+  /// Uses a sensor's first picture and then every kEvery-th; sensors take turns. All images have
+  /// the size of `lens`.
   void offer(SensorId sensor, const CameraIntrinsics& lens, DepthView depth_mm, ColorView color,
              MaskView seen);
   void forget(SensorId sensor);
@@ -36,7 +37,7 @@ class ColorMatching {
   [[nodiscard]] Eigen::Vector3f gain(SensorId sensor) const;
 
   static constexpr int kEvery = 10;
-  static constexpr std::size_t kMaxComparisons = 32;  // per update: all pairs of six sensors
+  static constexpr std::size_t kMaxComparisons = 6;  // per update: all pairs of three sensors
 
  private:
   /// A place that a sensor sees: where, in its depth frame in metres, and in which colour.

@@ -24,7 +24,8 @@ bool has_word(std::string_view words, std::string_view word) {
   for (std::size_t at = words.find(word); at != std::string_view::npos;
        at = words.find(word, at + 1)) {
     const std::size_t end = at + word.size();
-    if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' ')) return true;
+    if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' '))
+      return true;
   }
   return false;
 }
@@ -35,9 +36,9 @@ bool draws_in_software(EGLDeviceEXT device) {
 }
 
 std::vector<EGLDisplay> displays_of_cards() {
-  const bool lists_devices = client_has("EGL_EXT_device_base") ||
-                             (client_has("EGL_EXT_device_enumeration") &&
-                              client_has("EGL_EXT_device_query"));
+  const bool lists_devices =
+      client_has("EGL_EXT_device_base") ||
+      (client_has("EGL_EXT_device_enumeration") && client_has("EGL_EXT_device_query"));
   if (!lists_devices || !client_has("EGL_EXT_platform_device")) return {};
   std::array<EGLDeviceEXT, kMaxDevices> devices{};
   EGLint count = 0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/render/gl/egl_display.h"
-
 #include <cstdlib>
 
 #include <gtest/gtest.h>
+
+#include "roomcast/render/gl/egl_display.h"
 
 namespace roomcast::render {
 namespace {

@@ -54,6 +54,7 @@ Result<SensorSurface> SensorSurface::create(const CameraIntrinsics& depth) {
 
 SensorSurface::SensorSurface(const CameraIntrinsics& depth)
     : intrinsics_(depth),
+      widest_radius_squared_(roomcast::widest_radius_squared(depth)),
       depth_mm_(make_texture(GL_R16UI, depth.width, depth.height)),
       rays_(make_texture(GL_RG32F, depth.width, depth.height)),
       color_(make_texture(GL_RGB8, depth.width, depth.height)),

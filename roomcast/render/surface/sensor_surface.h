@@ -37,6 +37,8 @@ class SensorSurface {
   [[nodiscard]] const GlTexture& seen() const { return seen_; }
 
   [[nodiscard]] const CameraIntrinsics& intrinsics() const { return intrinsics_; }
+  /// widest_radius_squared() of these, which takes too long to be computed for each drawing.
+  [[nodiscard]] double widest_radius_squared() const { return widest_radius_squared_; }
   /// Colour pixels per depth pixel along each axis: 1 or 2.
   [[nodiscard]] int color_scale() const { return color_scale_; }
   [[nodiscard]] int pixel_count() const { return intrinsics_.width * intrinsics_.height; }
@@ -48,6 +50,7 @@ class SensorSurface {
   explicit SensorSurface(const CameraIntrinsics& depth);
 
   CameraIntrinsics intrinsics_;
+  double widest_radius_squared_;
   GlTexture depth_mm_, rays_, color_, seen_;
   int color_scale_ = 1;
   std::uint64_t revision_ = 0;
