@@ -14,6 +14,7 @@ function rounded(value: number): number {
 
 export class Observer {
   private ticks = 0;
+  private timer: ReturnType<typeof setInterval> | undefined;
   private bytes: number | undefined;
   private wasSending = false;
   private wasVisible: boolean | undefined;
@@ -26,7 +27,12 @@ export class Observer {
   ) {}
 
   begin(): void {
-    setInterval(() => this.tick(), tick_ms);
+    this.timer = setInterval(() => this.tick(), tick_ms);
+  }
+
+  /** The study is over: nothing more of the participant is noted. */
+  end(): void {
+    clearInterval(this.timer);
   }
 
   /** Also for what others write: with the time of now. */

@@ -56,6 +56,23 @@ describe('the log of a session', () => {
     expect(log.problem).toBe('');
   });
 
+  test('lets all who flush wait for the same sending', async () => {
+    const { state, send } = hub();
+    let answer = () => undefined as void;
+    const log = new SessionLog(0, async (...batch) => {
+      await new Promise<void>((resolve) => (answer = resolve));
+      await send(...batch);
+    });
+    log.add(record(1));
+    const first = log.flush();
+    const second = log.flush();
+    answer();
+    await second;
+    expect(log.isEmpty).toBe(true);
+    await first;
+    expect(state.calls.length).toBe(1);
+  });
+
   test('ends when the hub refuses for good', async () => {
     const { state, send } = hub();
     const log = new SessionLog(0, send);

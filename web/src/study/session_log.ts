@@ -21,7 +21,7 @@ export class SessionLog {
   isLost = false; // the hub will take no more
   private waiting: LogRecord[] = [];
   private sending: Batch | undefined;
-  private isBusy = false;
+  private flushing: Promise<void> | undefined;
 
   constructor(
     private lastBatch: number,
@@ -39,12 +39,15 @@ export class SessionLog {
     this.waiting.splice(Math.max(0, oldest), 1);
   }
 
-  /** Sends what waits, batch by batch, as long as that works. */
-  async flush(): Promise<void> {
-    if (this.isBusy || this.isLost) return;
-    this.isBusy = true;
+  /** Sends what waits, batch by batch, as long as that works. Who calls it meanwhile waits for the same. */
+  flush(): Promise<void> {
+    this.flushing ??= this.sendAll().finally(() => (this.flushing = undefined));
+    return this.flushing;
+  }
+
+  private async sendAll(): Promise<void> {
     try {
-      while (!this.isEmpty) {
+      while (!this.isEmpty && !this.isLost) {
         const { number, records } = (this.sending ??= this.next());
         await this.send(number, records, false);
         this.lastBatch = number;
@@ -55,8 +58,6 @@ export class SessionLog {
       if (!(error instanceof StudyProblem)) throw error;
       this.problem = error.message;
       this.isLost = error.isFinal;
-    } finally {
-      this.isBusy = false;
     }
   }
 

@@ -208,6 +208,7 @@ export class Study {
     this.seat.store.removeItem(storeKey);
     const [title, words] = this.hasStopped ? [texts.stoppedTitle, texts.stopped] : [texts.thanksTitle, plan.thanks || texts.thanks];
     const number = texts.number(this.kept.participant);
+    this.observer.end();
     while (!log.isEmpty && !log.isLost) {
       void screen.say(title, [words, number, log.problem ? texts.notSent(log.problem) : texts.sending]);
       await log.flush();

@@ -21,6 +21,8 @@ export class StudyProblem extends Error {
   }
 }
 
+const patience_ms = 20_000; // for an answer; then it counts as no answer
+
 type Answered = Pick<Response, 'ok' | 'status' | 'json' | 'blob'>;
 type Fetch = (address: string, init: RequestInit) => Promise<Answered>;
 
@@ -67,7 +69,8 @@ export class StudyApi {
     const token = this.token();
     const headers: Record<string, string> = body ? { 'Content-Type': 'application/json' } : {};
     if (token) headers['Authorization'] = `Bearer ${token}`;
-    const init: RequestInit = { method, headers, keepalive, ...(body && { body: JSON.stringify(body) }) };
+    const signal = AbortSignal.timeout(patience_ms);
+    const init: RequestInit = { method, headers, keepalive, signal, ...(body && { body: JSON.stringify(body) }) };
     const response = await this.fetching(`api/v1/study${path}`, init).catch(() => undefined);
     if (!response) throw new StudyProblem(texts.noHub, false);
     return response;
