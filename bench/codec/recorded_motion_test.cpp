@@ -78,5 +78,18 @@ TEST_F(RecordedMotion, a_sensor_that_stood_before_is_noticed_as_fast) {
   EXPECT_LE(frames_until_carried(motion, kitchen), kFifthOfASecond);
 }
 
+TEST(SimulatedMotion, people_who_exercise_are_no_carried_sensor_at_a_few_frames_a_second) {
+  auto source = sensor::open_source("sim:studio#0", {.pace = source::Pace::kAsFastAsPossible,
+                                                     .sim_fps = 5,
+                                                     .sim_sensor_count = 3});
+  ASSERT_TRUE(source.ok()) << source.error().message;
+  codec::SensorMotion motion;
+  source::CapturedFrame frame;
+  for (int i = 0; i < 30; ++i) {
+    ASSERT_TRUE((*source)->next(frame, {}).value());
+    EXPECT_FALSE(motion.update(frame.depth_mm)) << i;
+  }
+}
+
 }  // namespace
 }  // namespace roomcast::bench

@@ -13,10 +13,11 @@ constexpr int kMinReadings = 12;       // of 16
 constexpr int kRegions = 4;            // in a row, and in a column
 constexpr float kMinNoise_mm = 4;      // of a change; a sensor with less shakes by as much
 constexpr float kFarBeyondNoise = 2;   // in standard deviations of a change by noise
-constexpr double kMovingBlocks = 0.3;  // share of a region's known blocks
-constexpr double kCoherent = 0.3;      // mean change of a region's blocks, in standard deviations
+constexpr double kMovingBlocks = 0.5;  // share of a region's known blocks
+constexpr double kCoherent = 0.25;     // mean change of the other blocks, in standard deviations
+constexpr double kMinOthers = 0.3;     // share of the known blocks; fewer do not tell a mean change
 constexpr double kMinKnown = 0.125;    // share of a region's blocks; a region with fewer is ignored
-constexpr double kBegins = 0.6, kEnds = 0.4;  // share of the known regions
+constexpr double kBegins = 0.55, kEnds = 0.4;  // share of the known regions
 constexpr int kFramesToBegin = 3, kFramesToEnd = 11;
 
 float mean_of_block(DepthView depth_mm, int x0, int y0) {
@@ -34,17 +35,21 @@ float mean_of_block(DepthView depth_mm, int x0, int y0) {
 /// The blocks of a region that have readings in both frames.
 struct RegionChange {
   int known = 0, moved = 0;
-  double sum = 0;  // of changes, in standard deviations, without outliers
+  double sum = 0;  // of the changes of those that did not move, in standard deviations
 
   void add(float change) {
     ++known;
-    moved += std::abs(change) > kFarBeyondNoise;
-    sum += std::clamp(change, -kFarBeyondNoise, kFarBeyondNoise);
+    if (std::abs(change) > kFarBeyondNoise)
+      ++moved;
+    else
+      sum += change;
   }
-  /// Either many blocks change by more than noise, or all of them a little, in the same direction:
-  /// noise averages out.
+  /// Either many blocks change by more than noise, or those that do not all change a little, in the
+  /// same direction: noise averages out. People change their own blocks and leave the others.
   [[nodiscard]] bool moves() const {
-    return moved >= kMovingBlocks * known || std::abs(sum) >= kCoherent * known;
+    if (moved >= kMovingBlocks * known) return true;
+    const int others = known - moved;
+    return others >= kMinOthers * known && std::abs(sum) >= kCoherent * others;
   }
 };
 

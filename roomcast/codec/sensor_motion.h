@@ -3,9 +3,11 @@
 // within an eighth of a second by more than its noise, while people who move leave walls and
 // corners unchanged. The noise is learnt (NoiseLaw): it differs from frame to frame but does not
 // grow over four frames, as motion does. The picture is split into 4x4 regions. A region moves if
-// the mean distance of three tenths of its 8x8 blocks differs from four frames ago. The decision
-// changes slowly in both directions, so that a person who fills the view for a moment has no
-// effect. Assumes about 30 frames a second. Single-threaded.
+// the mean distance of half of its 8x8 blocks differs from four frames ago, or if that of the
+// others differs a little, in one direction. The decision changes slowly in both directions, so
+// that a person who fills the view for a moment has no effect. The times hold at 30 frames a
+// second; at a few a second people change more from frame to frame, and still not half of most
+// regions. Single-threaded.
 #pragma once
 
 #include <array>

@@ -59,6 +59,30 @@ TEST(SensorMotion, a_person_who_fills_half_of_the_view_is_no_motion) {
   }
 }
 
+/// People take two fifths of every region, and each is elsewhere in every frame.
+DepthImage with_people_everywhere(DepthImage reading, int frame) {
+  constexpr int kEvery = 40, kWide = 16;
+  for (int y = 0; y < reading.height(); ++y) {
+    for (int x = 0; x < reading.width(); ++x) {
+      if (x % kEvery < kWide)
+        reading.at(x, y) = static_cast<std::uint16_t>(1'500 + 100 * (frame % 7) + x);
+    }
+  }
+  return reading;
+}
+
+TEST(SensorMotion, people_in_all_parts_of_the_view_who_move_much_between_frames_are_no_motion) {
+  SensorMotion motion;
+  RoughSensor sensor;
+  for (int i = 0; i < 60; ++i) {
+    EXPECT_FALSE(motion.update(with_people_everywhere(sensor.reading(0), i))) << i;
+  }
+  bool moves = false;
+  for (int i = 1; i <= 12; ++i)
+    moves = motion.update(with_people_everywhere(sensor.reading(12 * i), i));
+  EXPECT_TRUE(moves) << "the walls move, too";
+}
+
 TEST(SensorMotion, without_readings_there_is_none) {
   SensorMotion motion;
   for (int i = 0; i < 10; ++i) EXPECT_FALSE(motion.update(DepthImage(128, 96)));
