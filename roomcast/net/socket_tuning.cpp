@@ -12,6 +12,29 @@
 
 namespace roomcast::net {
 
+namespace {
+
+constexpr double kMinSegment = 536, kMaxSegment = 1448;
+constexpr double kHeaders = 20 + 20 + 12;  // IPv4, TCP, TCP's time stamps
+
+// Of Linux since 6.15; headers of libraries do not name them yet.
+constexpr int kRetransmissionMaxMs = 44;  // TCP_RTO_MAX_MS
+constexpr int kRetransmissionMinUs = 45;  // TCP_RTO_MIN_US
+
+/// A burst of losses that takes a retransmission, too, ends in the retransmission timer: by default
+/// at least 200 ms beyond the round trip, twice that after the next loss, and so on. A frame is old
+/// by then.
+void retransmit_soon(int fd) {
+  constexpr int kLeast_us = 60'000;  // more than peers delay an acknowledgement: 40 ms at most
+  constexpr int kMost_ms = 2'000;    // 15 of them are longer than a silent peer is waited for
+  constexpr int kLinear = 1;         // while few segments are under way
+  (void)::setsockopt(fd, IPPROTO_TCP, kRetransmissionMinUs, &kLeast_us, sizeof(kLeast_us));
+  (void)::setsockopt(fd, IPPROTO_TCP, kRetransmissionMaxMs, &kMost_ms, sizeof(kMost_ms));
+  (void)::setsockopt(fd, IPPROTO_TCP, TCP_THIN_LINEAR_TIMEOUTS, &kLinear, sizeof(kLinear));
+}
+
+}  // namespace
+
 void tune_for_live_streams(boost::asio::ip::tcp::socket& socket) {
   boost::system::error_code ignored;
   socket.non_blocking(true, ignored);
@@ -22,14 +45,8 @@ void tune_for_live_streams(boost::asio::ip::tcp::socket& socket) {
   constexpr std::string_view kCongestionControl = "bbr";
   (void)::setsockopt(fd, IPPROTO_TCP, TCP_CONGESTION, kCongestionControl.data(),
                      static_cast<socklen_t>(kCongestionControl.size()));
+  retransmit_soon(fd);
 }
-
-namespace {
-
-constexpr double kMinSegment = 536, kMaxSegment = 1448;
-constexpr double kHeaders = 20 + 20 + 12;  // IPv4, TCP, TCP's time stamps
-
-}  // namespace
 
 Pace pace_for(double line_bytes_per_s) {
   constexpr double kSegmentsPerSecond = 60;

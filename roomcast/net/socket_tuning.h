@@ -12,8 +12,8 @@ namespace roomcast::net {
 /// can replace it.
 inline constexpr int kMaxUnsentBytes = 16 * 1024;
 
-/// Non-blocking, TCP_NODELAY, TCP_NOTSENT_LOWAT, and BBR where the kernel offers it. Unsupported
-/// options are skipped: this costs latency, not correctness.
+/// Non-blocking, TCP_NODELAY, TCP_NOTSENT_LOWAT, BBR, and early retransmission timers, where the
+/// kernel offers them. Unsupported options are skipped: this costs latency, not correctness.
 void tune_for_live_streams(boost::asio::ip::tcp::socket& socket);
 
 /// How a paced connection uses its line.

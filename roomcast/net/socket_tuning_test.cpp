@@ -31,6 +31,19 @@ TEST_F(SocketTuningTest, sets_the_options_of_live_streams) {
   EXPECT_EQ(option(sockets.ours, TCP_NOTSENT_LOWAT), kMaxUnsentBytes);
 }
 
+TEST_F(SocketTuningTest, retransmission_timers_are_early_where_the_kernel_offers_it) {
+  constexpr int kRetransmissionMinUs = 45;  // TCP_RTO_MIN_US of Linux 6.15
+  auto sockets = connected_sockets();
+  int before_us = 0;
+  socklen_t size = sizeof(before_us);
+  if (::getsockopt(sockets.ours.native_handle(), IPPROTO_TCP, kRetransmissionMinUs, &before_us,
+                   &size) != 0)
+    GTEST_SKIP() << "this kernel does not";
+  tune_for_live_streams(sockets.ours);
+  EXPECT_LT(option(sockets.ours, kRetransmissionMinUs), 80'000);
+  EXPECT_EQ(option(sockets.ours, TCP_THIN_LINEAR_TIMEOUTS), 1);
+}
+
 TEST_F(SocketTuningTest, segments_of_a_slow_line_are_small_and_its_headers_are_counted) {
   const Pace slow = pace_for(12'500), usual = pace_for(60'000), fast = pace_for(2'500'000);
   EXPECT_EQ(slow.segment_bytes, 536);
