@@ -79,9 +79,9 @@ TEST_F(RecordedMotion, a_sensor_that_stood_before_is_noticed_as_fast) {
 }
 
 TEST(SimulatedMotion, people_who_exercise_are_no_carried_sensor_at_a_few_frames_a_second) {
-  auto source = sensor::open_source("sim:studio#0", {.pace = source::Pace::kAsFastAsPossible,
-                                                     .sim_fps = 5,
-                                                     .sim_sensor_count = 3});
+  auto source = sensor::open_source(
+      "sim:studio#0",
+      {.pace = source::Pace::kAsFastAsPossible, .sim_fps = 5, .sim_sensor_count = 3});
   ASSERT_TRUE(source.ok()) << source.error().message;
   codec::SensorMotion motion;
   source::CapturedFrame frame;

@@ -2,7 +2,6 @@
 #include "bench/line/line_rate.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace roomcast::bench {
 
@@ -21,28 +20,38 @@ void LineRate::each_window(std::chrono::milliseconds window, Use use) const {
   for (std::size_t to = 0; to < readings_.size(); ++to) {
     if (readings_[to].time - readings_.front().time < window) continue;
     while (from + 1 < to && readings_[to].time - readings_[from + 1].time >= window) ++from;
-    if (!use(mbit_per_s(readings_[from], readings_[to]), readings_[to])) return;
+    if (!use(from, to)) return;
   }
 }
 
 std::optional<LineRate::Time::duration> LineRate::time_until(
     double least_mbit_per_s, std::chrono::milliseconds window) const {
   std::optional<Time::duration> time;
-  each_window(window, [&](double rate, const Reading& last) {
-    if (rate >= least_mbit_per_s) time = last.time - readings_.front().time;
+  each_window(window, [&](std::size_t from, std::size_t to) {
+    if (mbit_per_s(readings_[from], readings_[to]) >= least_mbit_per_s)
+      time = readings_[to].time - readings_.front().time;
     return !time;
   });
   return time;
 }
 
 LineRate::Extremes LineRate::over(std::chrono::milliseconds window) const {
-  Extremes extremes{std::numeric_limits<double>::infinity(), 0};
-  each_window(window, [&](double rate, const Reading&) {
-    extremes.lowest = std::min(extremes.lowest, rate);
+  Extremes extremes;
+  double windows = 0, without_more = 0;
+  std::size_t last_without = 0;  // the place behind the newest reading without more to send
+  std::size_t looked_at = 0;
+  each_window(window, [&](std::size_t from, std::size_t to) {
+    for (; looked_at <= to; ++looked_at)
+      if (!readings_[looked_at].has_more) last_without = looked_at + 1;
+    const double rate = mbit_per_s(readings_[from], readings_[to]);
+    const bool had_more = last_without <= from;
+    ++windows;
+    without_more += had_more ? 0 : 1;
+    if (had_more) extremes.lowest = std::min(extremes.lowest.value_or(rate), rate);
     extremes.highest = std::max(extremes.highest, rate);
     return true;
   });
-  if (extremes.highest == 0) extremes.lowest = 0;
+  if (windows > 0) extremes.without_more = without_more / windows;
   return extremes;
 }
 

@@ -13,7 +13,7 @@ TEST(LineRate, an_even_line_has_one_rate) {
   for (int i = 0; i <= 200; ++i)
     rate.add(LineRate::Time(i * 10ms), static_cast<std::uint64_t>(i) * 1'250);
   EXPECT_NEAR(rate.mean(), 1, 1e-9);
-  EXPECT_NEAR(rate.over(200ms).lowest, 1, 1e-9);
+  EXPECT_NEAR(rate.over(200ms).lowest.value(), 1, 1e-9);
   EXPECT_NEAR(rate.over(200ms).highest, 1, 1e-9);
 }
 
@@ -26,7 +26,7 @@ TEST(LineRate, a_burst_shows_in_the_short_window_only) {
   }
   EXPECT_GT(rate.over(200ms).highest, 1.9);
   EXPECT_LT(rate.over(1s).highest, 1.05);
-  EXPECT_LT(rate.over(200ms).lowest, 0.8);
+  EXPECT_LT(rate.over(200ms).lowest.value(), 0.8);
 }
 
 TEST(LineRate, knows_when_a_rate_was_reached) {
@@ -40,11 +40,22 @@ TEST(LineRate, knows_when_a_rate_was_reached) {
   EXPECT_FALSE(rate.time_until(5, 200ms));
 }
 
+TEST(LineRate, a_window_whose_senders_have_nothing_more_to_send_is_not_too_slow) {
+  LineRate rate;
+  std::uint64_t bytes = 0;
+  for (int i = 0; i <= 300; ++i) {
+    rate.add(LineRate::Time(i * 10ms), bytes, i < 150);
+    bytes += i < 150 ? 1'250 : 100;
+  }
+  EXPECT_NEAR(rate.over(200ms).lowest.value(), 1, 1e-9);
+  EXPECT_NEAR(rate.over(200ms).without_more, 151.0 / 281, 1e-9);
+}
+
 TEST(LineRate, without_readings_there_is_no_rate) {
   const LineRate rate;
   EXPECT_EQ(rate.mean(), 0);
   EXPECT_EQ(rate.over(1s).highest, 0);
-  EXPECT_EQ(rate.over(1s).lowest, 0);
+  EXPECT_FALSE(rate.over(1s).lowest);
 }
 
 }  // namespace

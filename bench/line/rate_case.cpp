@@ -20,7 +20,10 @@ void add_line_figures(const std::string& name, const RateOutcome& outcome, doubl
   const auto percent = [mbit](double rate) { return 100 * (rate / mbit - 1); };
   const auto seconds = outcome.line.over(1s), bursts = outcome.line.over(200ms);
   report.figures.push_back({name + "mean", "Mbit/s", outcome.line.mean()});
-  report.figures.push_back({name + "lowest second", "% off", percent(seconds.lowest)});
+  if (seconds.lowest)
+    report.figures.push_back({name + "lowest second", "% off", percent(*seconds.lowest)});
+  report.figures.push_back(
+      {name + "seconds without more to send", "%", 100 * seconds.without_more});
   report.figures.push_back({name + "highest second", "% off", percent(seconds.highest)});
   report.figures.push_back({name + "highest 0.2 s", "% off", percent(bursts.highest)});
 }

@@ -82,11 +82,17 @@ RateOutcome RateRoom::read_line(std::chrono::milliseconds duration) {
   RateOutcome outcome;
   const auto began = std::chrono::steady_clock::now();
   for (auto now = began; now < began + duration; now = std::chrono::steady_clock::now()) {
-    outcome.line.add(now, link_->carried_bytes());
+    outcome.line.add(now, link_->carried_bytes(), has_more_to_send());
     std::this_thread::sleep_for(kReadEvery);
   }
   outcome.seconds = std::chrono::duration<double>(duration).count();
   return outcome;
+}
+
+/// Not all sensors send their finest quality.
+bool RateRoom::has_more_to_send() const {
+  return !std::ranges::all_of(feeds_,
+                              [](const auto& feed) { return feed->stats().has_finest_quality; });
 }
 
 Status RateRoom::open_hub(double uplink_mbit, End end) {

@@ -52,6 +52,7 @@ class RateRoom {
 
   Status open_hub(double uplink_mbit, End end);
   RateOutcome read_line(std::chrono::milliseconds duration);
+  [[nodiscard]] bool has_more_to_send() const;
   Status join_sensors(const LineBenchOptions& options, const sensor::CodecChoice& codec);
 
   const std::unique_ptr<EmulatedLink> link_;

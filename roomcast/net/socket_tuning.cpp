@@ -25,12 +25,12 @@ constexpr int kRetransmissionMinUs = 45;  // TCP_RTO_MIN_US
 /// at least 200 ms beyond the round trip, twice that after the next loss, and so on. A frame is old
 /// by then.
 void retransmit_soon(int fd) {
-  constexpr int kLeast_us = 60'000;  // more than peers delay an acknowledgement: 40 ms at most
-  constexpr int kMost_ms = 2'000;    // 15 of them are longer than a silent peer is waited for
-  constexpr int kLinear = 1;         // while few segments are under way
-  (void)::setsockopt(fd, IPPROTO_TCP, kRetransmissionMinUs, &kLeast_us, sizeof(kLeast_us));
-  (void)::setsockopt(fd, IPPROTO_TCP, kRetransmissionMaxMs, &kMost_ms, sizeof(kMost_ms));
-  (void)::setsockopt(fd, IPPROTO_TCP, TCP_THIN_LINEAR_TIMEOUTS, &kLinear, sizeof(kLinear));
+  constexpr int kMinWait_us = 60'000;  // more than peers delay an acknowledgement: 40 ms at most
+  constexpr int kMaxWait_ms = 2'000;   // 15 of them are longer than a silent peer is waited for
+  constexpr int kIsLinear = 1;         // while few segments are under way
+  (void)::setsockopt(fd, IPPROTO_TCP, kRetransmissionMinUs, &kMinWait_us, sizeof(kMinWait_us));
+  (void)::setsockopt(fd, IPPROTO_TCP, kRetransmissionMaxMs, &kMaxWait_ms, sizeof(kMaxWait_ms));
+  (void)::setsockopt(fd, IPPROTO_TCP, TCP_THIN_LINEAR_TIMEOUTS, &kIsLinear, sizeof(kIsLinear));
 }
 
 }  // namespace

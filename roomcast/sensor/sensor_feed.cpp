@@ -114,7 +114,8 @@ class SensorFeed::Worker {
         source_->health(),
         figures_,
         net::line_mbit_per_s(sender_->publisher().uplink().value_or(client::Uplink()).bytes_per_s),
-        microphone_ ? std::optional(microphone_->stats()) : std::nullopt};
+        microphone_ ? std::optional(microphone_->stats()) : std::nullopt,
+        has_finest_quality_};
   }
   std::optional<Status> result() const {
     std::lock_guard lock(mutex_);
@@ -243,6 +244,10 @@ class SensorFeed::Worker {
       return {};
     }
     if (!sent) return sent.error();
+    {
+      const std::lock_guard lock(mutex_);
+      has_finest_quality_ = sender_->has_finest_quality();
+    }
     if (*sent && frame_log_) {
       const auto logged =
           frame_log_->add((*sent)->seq, (*sent)->capture_time, sender_->decoded_depth());
@@ -293,6 +298,7 @@ class SensorFeed::Worker {
   mutable std::mutex mutex_;
   std::optional<Status> result_;
   InterferenceFigures figures_;
+  bool has_finest_quality_ = false;
 };
 
 SensorFeed::SensorFeed(std::unique_ptr<Worker> worker) : worker_(std::move(worker)) {

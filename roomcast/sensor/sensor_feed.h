@@ -63,6 +63,7 @@ struct SensorFeedStats {
   /// What the line to the hub carries, with headers of TCP and IP, by estimate; 0: not estimated.
   double line_mbit_per_s = 0;
   std::optional<RoomMicrophoneStats> microphone = {};  // of a feed that has one
+  bool has_finest_quality = false;  // with a target rate: more bytes would not be used
 };
 
 class SensorFeed {

@@ -2,7 +2,9 @@
 // UplinkShare: divides a room's uplink among its sensors by what viewers look at. A sensor that
 // comes into view gets its share at once; what goes out of view loses it slowly, so that shares do
 // not swing with a viewer who looks to and fro. Sensors that do not keep to a share keep their
-// rate, and the others share the rest. Pure; single-threaded.
+// rate, and the others share the rest. What a sensor does not use (nothing moves before it) is lent
+// to those that use all of theirs; it comes back at once when the sensor uses what it was left.
+// Pure; single-threaded. Source of the division: max-min fairness (Bertsekas and Gallager 1992).
 #pragma once
 
 #include <chrono>
@@ -49,12 +51,19 @@ class UplinkShare {
     double mbit = 0;     // its share as it was last given
     bool is_paused = false;
     std::uint64_t sent_bytes = 0;
-    double sends_mbit = 0;  // measured
+    std::optional<double> sends_mbit = {};  // measured
+    RoomTime used_all{};                    // its share, last
+    bool lends = false;                     // it leaves a part of its share to others
   };
   void forget_absent(std::span<const UplinkUser> users);
   void measure(std::span<const UplinkUser> users, double seconds);
+  void find_lenders(std::span<const UplinkUser> users, RoomTime now);
   [[nodiscard]] std::vector<double> divide(double uplink_mbit,
                                            std::span<const UplinkUser> users) const;
+  [[nodiscard]] static std::vector<double> lend(double mbit,
+                                                const std::vector<const Known*>& sharing,
+                                                const std::vector<double>& weights,
+                                                const std::vector<double>& most);
 
   std::map<SensorId, Known> known_;
   double uplink_mbit_ = 0;

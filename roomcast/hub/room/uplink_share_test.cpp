@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/hub/room/uplink_share.h"
 
+#include <algorithm>
+#include <map>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "roomcast/net/socket_tuning.h"
 
 namespace roomcast::hub {
 namespace {
@@ -30,11 +35,21 @@ TEST(DivideRate, too_little_for_all_is_the_least_for_each) {
   EXPECT_THAT(divide_rate(5, {}, 0.1, {}), ElementsAre());
 }
 
+/// Sensors that use all of their shares.
 class UplinkShareTest : public testing::Test {
  protected:
-  void update(nanoseconds time, const std::vector<UplinkUser>& users, double mbit = 6) {
+  void update(nanoseconds time, std::vector<UplinkUser> users, double mbit = 6) {
+    const double seconds = std::chrono::duration<double>(time - last_time).count();
+    last_time = time;
+    for (UplinkUser& user : users) {
+      if (!user.follows) continue;
+      sent_bytes[user.sensor] += seconds * shares.of(user.sensor) / net::line_mbit_per_s(1);
+      user.sent_bytes = static_cast<std::uint64_t>(sent_bytes[user.sensor]);
+    }
     shares.update(mbit, users, share_time(time));
   }
+  nanoseconds last_time = 0s;
+  std::map<SensorId, double> sent_bytes;
   UplinkShare shares;
 };
 
@@ -69,7 +84,7 @@ TEST_F(UplinkShareTest, what_nobody_looks_at_loses_its_share_slowly_down_to_a_fi
 
 TEST_F(UplinkShareTest, small_changes_are_not_worth_telling) {
   update(0s, {{.sensor = kLeft}, {.sensor = kRight}});
-  update(20s, {{.sensor = kLeft}, {.sensor = kRight, .importance = 0.9}});
+  update(20s, {{.sensor = kLeft}, {.sensor = kRight, .importance = 0.95}});
   EXPECT_EQ(shares.of(kRight), 3);
 }
 
@@ -106,6 +121,75 @@ TEST_F(UplinkShareTest, sensors_that_keep_to_no_share_leave_the_rest_to_the_othe
   }
   EXPECT_THAT(shares.of(kLeft), DoubleNear(4, 0.4));
   EXPECT_EQ(shares.of(kThird), 0);
+}
+
+/// Sensors that send what they want to, within their shares.
+class UplinkLendingTest : public testing::Test {
+ protected:
+  UplinkLendingTest() { run(0.1); }
+
+  void run(double seconds) {
+    for (int i = 0; i < static_cast<int>(seconds * 10); ++i) {
+      time += 100ms;
+      total = 0;
+      for (std::size_t k = 0; k < users.size(); ++k) {
+        users[k].sensor = SensorId{static_cast<std::uint16_t>(k)};
+        const double mbit = std::min(wanted[k], shares.of(users[k].sensor));
+        total += mbit;
+        bytes[k] += 0.1 * mbit / net::line_mbit_per_s(1);
+        users[k].sent_bytes = static_cast<std::uint64_t>(bytes[k]);
+      }
+      highest = std::max(highest, total);
+      if (time - updated < 500ms) continue;
+      updated = time;
+      shares.update(kUplink, users, share_time(time));
+    }
+  }
+  double share(std::size_t k) const { return shares.of(users[k].sensor); }
+
+  static constexpr double kUplink = 6;
+  std::vector<UplinkUser> users = std::vector<UplinkUser>(3);
+  std::vector<double> wanted = {9, 9, 9}, bytes = {0, 0, 0};
+  double total = 0, highest = 0;
+  nanoseconds time = 0s, updated = -1s;
+  UplinkShare shares;
+};
+
+TEST_F(UplinkLendingTest, what_calm_sensors_do_not_use_goes_to_the_one_that_does) {
+  wanted = {9, 0.5, 0.2};
+  run(8);
+  EXPECT_GT(total, 0.95 * kUplink);
+  EXPECT_NEAR(share(1), 0.625, 0.05) << "it has a little more than it uses";
+  EXPECT_LE(highest, 1.001 * kUplink);
+}
+
+TEST_F(UplinkLendingTest, a_lender_that_wakes_has_its_even_share_within_a_second_and_a_half) {
+  wanted = {9, 9, 0.5};
+  run(10);
+  EXPECT_GT(share(0), 2.5);
+  highest = 0;
+  wanted = {9, 9, 9};
+  run(1.5);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(share(k), 2, 0.1);
+  EXPECT_LT(highest, 1.03 * kUplink) << "meanwhile they send hardly more than the uplink's rate";
+}
+
+TEST_F(UplinkLendingTest, if_none_uses_all_each_may_use_what_is_left) {
+  wanted = {3, 0.5, 0.2};
+  run(12);
+  EXPECT_NEAR(total, 3.7, 0.1);
+  double all = 0;
+  for (std::size_t k = 0; k < 3; ++k) all += share(k);
+  EXPECT_NEAR(all, kUplink, 0.25);
+  const double before = share(0);
+  run(10);
+  EXPECT_NEAR(share(0), before, 0.3) << "it does not swing";
+}
+
+TEST_F(UplinkLendingTest, a_sensor_that_just_came_lends_nothing_yet) {
+  wanted = {9, 9, 0};
+  run(1.5);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(share(k), 2, 0.1);
 }
 
 }  // namespace

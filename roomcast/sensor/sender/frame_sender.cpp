@@ -119,6 +119,7 @@ Result<std::optional<client::Publisher::Published>> FrameSender::send(DepthView 
   const std::size_t bytes = message.payload().size();
   const bool fits = client::Publisher::fits(message);
   if (rate_) rate_->sent(bytes, *info);
+  if (!info->key) has_finest_quality_ = info->quantizer == codec::FrameQuality::kMinQuantizer;
   const Sent sent = publisher_->publish(*turn, *info, capture_time, std::move(message));
   if (fits) return sent;
   return Error{ErrorCode::kTooLarge,

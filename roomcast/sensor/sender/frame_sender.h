@@ -40,6 +40,8 @@ class FrameSender {
   [[nodiscard]] const RegisteredColor& registered() const { return registered_; }
   /// As FrameEncoder::decoded_depth.
   [[nodiscard]] DepthView decoded_depth() const { return encoder_->decoded_depth(); }
+  /// Whether the newest frame has the finest quality there is: more bytes would not be used.
+  [[nodiscard]] bool has_finest_quality() const { return has_finest_quality_; }
   /// Share of the full colour rate that the network carried at the last frame, 0 to 1.
   [[nodiscard]] double rate_share() const { return rate_share_; }
 
@@ -62,7 +64,8 @@ class FrameSender {
   std::optional<RateControl> rate_;   // with a target rate
   client::Publisher::Demand demand_;  // that rate and encoder were set to
   int since_base_ = 0;                // frames of the source, while layer 0 suffices
-  double rate_share_ = 1;             // the share that the encoder was set to
+  bool has_finest_quality_ = false;
+  double rate_share_ = 1;  // the share that the encoder was set to
   RegisteredColor registered_;
   std::unique_ptr<client::Publisher> publisher_;  // last: destroyed before what it sends
 };
