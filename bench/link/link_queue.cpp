@@ -2,23 +2,39 @@
 #include "bench/link/link_queue.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace roomcast::bench {
+namespace {
+
+constexpr double kFullPacketBytes = 1500;
+
+}  // namespace
 
 LinkQueue::LinkQueue(const LinkSpec& spec, std::uint32_t seed) : spec_(spec), random_(seed) {}
 
-bool LinkQueue::is_lost() {
-  double chance = spec_.loss;
-  if (spec_.loss_burst > 1) {
-    const double ends = 1 / spec_.loss_burst;
-    chance = loses_ ? 1 - ends : spec_.loss * ends / (1 - spec_.loss);
+bool LinkQueue::is_lost(Time now) {
+  if (spec_.loss_burst <= 1) return std::uniform_real_distribution<>()(random_) < spec_.loss;
+  if (!loses_until_) loses_until_ = now + until_change();
+  while (*loses_until_ <= now) {
+    loses_ = !loses_;
+    *loses_until_ += until_change();
   }
-  return loses_ = std::uniform_real_distribution<>()(random_) < chance;
+  return loses_;
+}
+
+/// How long a burst lasts that begins now, or the time without losses.
+LinkQueue::Time::duration LinkQueue::until_change() {
+  const double packet_s = kFullPacketBytes * 8e-6 / spec_.mbit_per_s;
+  const double burst_s = -packet_s / std::log1p(-1 / spec_.loss_burst);
+  const double mean_s = loses_ ? burst_s : burst_s * (1 - spec_.loss) / spec_.loss;
+  const std::chrono::duration<double> time(std::exponential_distribution<>(1 / mean_s)(random_));
+  return std::chrono::duration_cast<Time::duration>(time) + Time::duration(1);
 }
 
 void LinkQueue::push(Time now, std::span<const std::uint8_t> packet) {
-  if (is_lost()) return;
+  if (spec_.loss > 0 && is_lost(now)) return;
   const Time begin = std::max({now, free_at_, up_at_});
   if (begin - std::max(now, up_at_) > spec_.queue) return;
   const std::chrono::duration<double, std::micro> on_the_wire(static_cast<double>(packet.size()) *

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // LinkQueue: one direction of an emulated link. Packets leave at a given rate, are lost at random
 // or in bursts, wait in a queue that drops packets when it is full, and arrive after a delay. Pure;
-// time is an argument. Source: the model of Linux netem and tbf; bursts by Gilbert (1960).
+// time is an argument. Source: the model of Linux netem and tbf; bursts by Gilbert (1960), in time:
+// a burst ends whether packets are sent or not, whereas netem's waits for the next packets.
 #pragma once
 
 #include <chrono>
@@ -19,8 +20,8 @@ struct LinkSpec {
   double mbit_per_s = 20;
   std::chrono::milliseconds round_trip{50};  // half of it each way
   double loss = 0;                           // share of the packets that are lost
-  double loss_burst = 1;                     // packets that are lost in a row, on average
-  std::chrono::milliseconds queue{100};      // packets that would wait longer are dropped
+  double loss_burst = 1;  // full packets that are lost in a row, on average, while the line is full
+  std::chrono::milliseconds queue{100};  // packets that would wait longer are dropped
   std::uint32_t seed = 1;
 };
 
@@ -52,11 +53,13 @@ class LinkQueue {
     Time arrival;
     Packet packet;
   };
-  [[nodiscard]] bool is_lost();
+  [[nodiscard]] bool is_lost(Time now);
+  [[nodiscard]] Time::duration until_change();
 
   LinkSpec spec_;
-  bool loses_ = false;  // the packet before this one was lost
-  Time up_at_{};        // it stands still until then
+  bool loses_ = false;               // there is a burst of losses
+  std::optional<Time> loses_until_;  // or does not, until then
+  Time up_at_{};                     // it stands still until then
   std::minstd_rand random_;
   Time free_at_{};  // when the last queued packet will have left
   std::deque<Travelling> travelling_;

@@ -69,7 +69,7 @@ TEST(LinkQueue, loses_packets_in_bursts_of_the_requested_length) {
   bool was_lost = false;
   for (int i = 0; i < 100'000; ++i) {
     const auto before = link.carried_bytes();
-    link.push(kBegin + i * 2ms, kPacket);
+    link.push(kBegin + i * 1200us, kPacket);  // as full packets at 10 Mbit/s
     const bool is_lost = link.carried_bytes() == before;
     lost += is_lost;
     bursts += is_lost && !was_lost;
@@ -77,6 +77,25 @@ TEST(LinkQueue, loses_packets_in_bursts_of_the_requested_length) {
   }
   EXPECT_NEAR(lost / 100'000.0, 0.05, 0.005);
   EXPECT_NEAR(static_cast<double>(lost) / bursts, 4, 0.4);
+}
+
+TEST(LinkQueue, a_burst_of_losses_ends_while_nobody_sends) {
+  LinkSpec spec = ten_mbit();
+  spec.loss = 0.05;
+  spec.loss_burst = 4;
+  LinkQueue link(spec, 7);
+  int lost = 0, in_a_row = 0;
+  bool was_lost = false;
+  for (int i = 0; i < 20'000; ++i) {
+    const auto before = link.carried_bytes();
+    link.push(kBegin + i * 100ms, kPacket);
+    const bool is_lost = link.carried_bytes() == before;
+    lost += is_lost;
+    in_a_row += is_lost && was_lost;
+    was_lost = is_lost;
+  }
+  EXPECT_NEAR(lost / 20'000.0, 0.05, 0.005);
+  EXPECT_NEAR(in_a_row / static_cast<double>(lost), 0.05, 0.02) << "by chance only";
 }
 
 TEST(LinkQueue, while_it_stands_still_packets_wait_as_many_as_the_queue_takes) {
