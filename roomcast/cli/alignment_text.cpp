@@ -54,7 +54,8 @@ nlohmann::json json_of(const alignment::PairReport& pair) {
 nlohmann::json json_of(const alignment::AlignmentReport& report) {
   nlohmann::json json = {{"sensors", nlohmann::json::array()},
                          {"pairs", nlohmann::json::array()},
-                         {"uncalibrated_belief", report.uncalibrated_belief}};
+                         {"uncalibrated_belief", report.uncalibrated_belief},
+                         {"scale_error", report.scale_error}};
   for (const auto& sensor : report.sensors) json["sensors"].push_back(json_of(sensor));
   for (const auto& pair : report.pairs) json["pairs"].push_back(json_of(pair));
   return json;
@@ -106,6 +107,9 @@ std::string shared_text(double overlap, int inliers, const std::string& residual
   return fmt::format("{:>5.0f} % {:>7} {:>9}", 100 * overlap, inliers, residual);
 }
 
+/// An error of the room's scale that is worth a sentence, as a share.
+constexpr double kNotableScaleError = 0.005;
+
 /// Factors on readings, and doubts about calibrations, in sentences; empty if there are none.
 std::string calibration_text(const alignment::AlignmentReport& report) {
   std::string factors, text;
@@ -124,6 +128,12 @@ std::string calibration_text(const alignment::AlignmentReport& report) {
                               "depth that is too long or too short.\n"
                             : ".\n";
   }
+  if (report.scale_error > kNotableScaleError)
+    text += fmt::format(
+        "\nAll distances may be too long or too short alike, by {:.1f} %: nothing that is seen "
+        "tells "
+        "the room's scale. The errors above do not contain this.\n",
+        100 * report.scale_error);
   return text;
 }
 

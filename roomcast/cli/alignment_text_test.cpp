@@ -93,7 +93,9 @@ TEST(AlignmentText, the_table_has_no_figures_for_refused_pairs) {
 
 TEST(AlignmentText, says_what_is_known_of_calibrations) {
   alignment::AlignmentReport of_calibrated = report();
+  of_calibrated.scale_error = 0.0025;
   EXPECT_EQ(alignment_table(of_calibrated).find("roomcast calibrate"), std::string::npos);
+  EXPECT_EQ(alignment_table(of_calibrated).find("alike"), std::string::npos);
 
   alignment::AlignmentReport doubted = report();
   doubted.uncalibrated_belief = 0.9;
@@ -102,7 +104,10 @@ TEST(AlignmentText, says_what_is_known_of_calibrations) {
 
   doubted.sensors[1].depth_scale = 1.044;
   doubted.sensors[1].depth_scale_standard_error = 0.009;
+  doubted.scale_error = 0.0173;
   const std::string table = alignment_table(doubted);
+  EXPECT_NE(table.find("alike, by 1.7 %"), std::string::npos) << table;
+  EXPECT_EQ(nlohmann::json::parse(alignment_json(doubted))["scale_error"], 0.0173);
   EXPECT_NE(table.find("multiplied by: s1 1.044 (+-0.009)."), std::string::npos) << table;
   EXPECT_NE(table.find("roomcast calibrate"), std::string::npos);
   EXPECT_EQ(table.find("walks through all views"), std::string::npos);

@@ -94,6 +94,10 @@ void add_alignment(py::module_& module) {
   py::class_<AlignmentReport>(module, "Alignment", "The result of align().")
       .def_readonly("sensors", &AlignmentReport::sensors, "AlignedSensors, in the rig's order.")
       .def_readonly("pairs", &AlignmentReport::pairs, "AlignedPairs.")
+      .def_readonly(
+          "scale_error", &AlignmentReport::scale_error,
+          "Standard deviation of all distances alike, as a share. Not part of the sensors' "
+          "errors.")
       .def("__getitem__", [](const AlignmentReport& report, const std::string& name) {
         for (const SensorReport& sensor : report.sensors)
           if (sensor.id == name) return sensor;

@@ -32,6 +32,16 @@ bool is_unexplained(const MovingConsistency& moving, const EvidenceOptions& opti
          moving.judged() < options.max_explained * moving.possible;
 }
 
+bool is_look_alike(const PoseEvidence& evidence, const EvidenceOptions& options) {
+  const PoseDifference apart =
+      difference(evidence.a_from_b, RigidTransform(), Eigen::Vector3d::Zero());
+  if (apart.angle_rad > options.same_view_rad || apart.distance_m > options.same_view_m ||
+      evidence.space.min_consistent < options.same_view_overlap)
+    return false;
+  return evidence.matches.weight < options.same_view_matches &&
+         evidence.photo.correlation < options.same_view_correlation;
+}
+
 /// Positive where what moves agrees, negative where it contradicts or is not explained.
 double moving_score(const PoseEvidence& evidence, const EvidenceOptions& options) {
   double score = options.max_moving * evidence.moving_agreement;
@@ -49,7 +59,8 @@ double score_of(const PoseEvidence& evidence, const EvidenceOptions& options) {
   score -= options.per_solid_block * static_cast<double>(evidence.solid.violating);
   score += std::clamp(photo_score(photo, options), -options.max_photo, options.max_photo);
   score += moving_score(evidence, options);
-  if (violates_space(space, options) || contradicts_motion(evidence.moving, options))
+  if (violates_space(space, options) || contradicts_motion(evidence.moving, options) ||
+      evidence.is_look_alike)
     score = std::min(score, 0.0) + options.refuted;
   const bool looks_different = evidence.moving_agreement < options.moving_agrees &&
                                photo.textured > options.min_textured &&
@@ -64,7 +75,7 @@ bool is_strong(const PoseEvidence& evidence, const EvidenceOptions& options) {
                                  evidence.matches.cells >= options.faint_cells &&
                                  evidence.score >= options.faint_score;
   return (evidence.matches.weight >= options.strong_support || faintly_supported) &&
-         !evidence.leaves_motion_unexplained &&
+         !evidence.leaves_motion_unexplained && !evidence.is_look_alike &&
          evidence.space.consistent > options.strong_overlap &&
          evidence.space.conflict() <= options.max_conflict &&
          evidence.photo.correlation > options.strong_correlation &&
@@ -219,6 +230,7 @@ PoseEvidence PairCandidates::examine(const PairState& state) const {
   evidence.moving = check_moving(*a_, *b_, a_from_b, options_.moving);
   evidence.moving_agreement = agreement_of(evidence.moving, options_.evidence);
   evidence.leaves_motion_unexplained = is_unexplained(evidence.moving, options_.evidence);
+  evidence.is_look_alike = is_look_alike(evidence, options_.evidence);
   evidence.score = score_of(evidence, options_.evidence);
   return evidence;
 }

@@ -3,6 +3,7 @@
 // choice among them is made later, for the whole rig. Metres. Single-threaded.
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "roomcast/alignment/feature/sensor_view.h"
@@ -50,6 +51,14 @@ struct EvidenceOptions {
   double refuted = -15;              // score, added
   double min_textured = 0.01;        // for colours to refute
 
+  // Two views from nearly the same place, which share most of what they see, show the same
+  // pictures: then many places match, and colours correlate. If neither is so, they are views of
+  // two rooms of the same shape. In redkitchen_moving (real) all such pairs have a weight of at
+  // least 31 and correlate by at least 0.66; a sensor of another, simulated room of equal shelves
+  // had 15 and 0.43.
+  double same_view_rad = 20 * std::numbers::pi / 180, same_view_m = 0.5, same_view_overlap = 0.6;
+  double same_view_matches = 25, same_view_correlation = 0.55;
+
   // A pose is strong with this support, or with less at large viewing angles, where few features
   // match well: then many places must agree, if only weakly, and all other evidence with them.
   double strong_support = 8;
@@ -84,6 +93,11 @@ struct EvidenceOptions {
     visit("max_moving_conflict", max_moving_conflict, Range{0, 1});
     visit("refuted", refuted, Range{-1e6, 0});
     visit("min_textured", min_textured, Range{0, 1});
+    visit("same_view_rad", same_view_rad, Range{0, std::numbers::pi});
+    visit("same_view_m", same_view_m, Range{0, 100});
+    visit("same_view_overlap", same_view_overlap, Range{0, 1});
+    visit("same_view_matches", same_view_matches, Range{0, 1e6});
+    visit("same_view_correlation", same_view_correlation, Range{-1, 1});
     visit("strong_support", strong_support, Range{0, 1e6});
     visit("faint_support", faint_support, Range{0, 1e6});
     visit("faint_score", faint_score, Range{0, 1e6});
@@ -167,6 +181,8 @@ struct PoseEvidence {
   /// Both see something moving at the same instants, and neither would see what the other does:
   /// half turns and shifts that move a person out of the other's view.
   bool leaves_motion_unexplained = false;
+  /// Views from one place that do not show the same: of two rooms of the same shape.
+  bool is_look_alike = false;
   double score = 0;  // total, in units of one unique match's weight; below 0: refuted
 };
 

@@ -178,6 +178,32 @@ TEST(PhotoConsistency, does_not_mind_another_exposure) {
   EXPECT_GT(check_photo_consistency(*first_corner().view, *view, at(truth())).correlation, 0.6);
 }
 
+RoomFixture with_other_prints() {
+  RoomFixture elsewhere;
+  elsewhere.looks = 7;
+  return elsewhere;
+}
+
+TEST(PairCandidates, views_from_one_place_that_show_something_else_are_of_two_rooms) {
+  const RigidTransform beside = corner_pose(1.9, 1.5);
+  const ViewFixture twin = view_fixture({}, "twin", beside);
+  const ViewFixture stranger = view_fixture(with_other_prints(), "stranger", beside);
+  const RigidTransform near = first_corner().world_from_depth.inverse() * beside;
+  const PoseEvidence of_twin = candidates_of(first_corner(), twin).examine(near);
+  EXPECT_FALSE(of_twin.is_look_alike);
+  EXPECT_TRUE(is_strong(of_twin));
+  const PoseEvidence of_stranger = candidates_of(first_corner(), stranger).examine(near);
+  EXPECT_GT(of_stranger.space.min_consistent, 0.6) << "the walls of both rooms agree";
+  EXPECT_TRUE(of_stranger.is_look_alike);
+  EXPECT_LT(of_stranger.score, 0);
+}
+
+TEST(PairCandidates, views_from_elsewhere_may_look_different) {
+  const ViewFixture stranger =
+      view_fixture(with_other_prints(), "stranger", second_corner().world_from_depth);
+  EXPECT_FALSE(candidates_of(first_corner(), stranger).examine(truth()).is_look_alike);
+}
+
 /// The second corner with its colour picture shifted right by `right_px`.
 CalibrationBundle bundle_with_color_aside(int right_px) {
   CalibrationBundle bundle = bundle_fixture({}, "aside", second_corner().world_from_depth);

@@ -50,13 +50,13 @@ struct ColorShiftOptions {
 /// simulated rooms (ADR 9).
 ///
 /// How well surfaces agree tells calibrated sensors from others: calibrated ones disagree by 0.2 to
-/// 0.5 mm, uncalibrated ones by 1.1 to 2.1 mm, simulated and real (ADR 18). The scale is doubted
-/// more, the more surfaces disagree.
+/// 0.5 mm, uncalibrated ones by 0.5 to 2.1 mm, simulated and real (ADR 18, ADR 23): least where
+/// only two views share little. The scale is doubted more, the more surfaces disagree.
 struct DepthUncertainty {
   double offset_m = 0.001, scale = 0.0005, common_scale = 0.0025;
-  double uncalibrated_scale = 0.04;    // of a sensor that nobody calibrated
-  double uncalibrated_from_m = 0.001;  // disagreement that makes both equally likely
-  double uncalibrated_steepness = 4;   // power of the disagreement
+  double uncalibrated_scale = 0.04;     // of a sensor that nobody calibrated
+  double uncalibrated_from_m = 0.0007;  // disagreement that makes both equally likely
+  double uncalibrated_steepness = 6;    // power of the disagreement
 
   /// Belief that sensors are not calibrated, 0 to 1, given how far their surfaces disagree smoothly
   /// (RigScatter::disagreement_m).

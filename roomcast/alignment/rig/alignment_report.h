@@ -32,14 +32,13 @@ struct SensorReport {
   std::string id;
   bool placed = false;
   std::optional<RigidTransform> world_from_depth;  // of placed sensors only
-  // One standard deviation; 0 for the origin.
+  // One standard deviation; 0 for the origin. Without the error of the room's scale.
   double expected_error_mm = 0;   // of surfaces 2.5 m ahead
   double expected_error_deg = 0;  // of the direction
   SensorCorrection correction;    // estimated calibration error
-  /// Factor on the sensor's readings, assumed by its pose; 1 where it is not determined. Relative
-  /// to the sensors with factor 1.
+  /// Factor on the sensor's readings, assumed by its pose; 1 where it is not determined.
   double depth_scale = 1;
-  double depth_scale_standard_error = 0;  // 0 where it is not determined
+  double depth_scale_standard_error = 0;  // relative to the origin's; 0 where it is not determined
   // Compared with other placed sensors:
   double overlap = 0;      // the largest of its pairs
   int inliers = 0;         // sum of its pairs
@@ -52,6 +51,9 @@ struct AlignmentReport {
   std::vector<PairReport> pairs;
   bool has_floor = false;
   double uncalibrated_belief = 0;  // 0..1: that placed sensors are not calibrated (ADR 18)
+  /// One standard deviation by which all distances may be too long or too short alike, as a share;
+  /// 0 where no two sensors are placed. Not part of the sensors' errors (common_scale.h).
+  double scale_error = 0;
 };
 
 }  // namespace roomcast::alignment

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace roomcast::alignment {
 namespace {
@@ -86,7 +87,7 @@ std::vector<DepthScale> estimate_depth_scales(std::span<const RefinedSensor> sen
     found[i] =
         accepted(fit.sensors[i].scale, fit.scale_sigma[i], sensors[i].uncalibrated_belief, options);
   }
-  return found;
+  return in_common_scale(std::move(found), origin);
 }
 
 void refine_uncalibrated(std::size_t origin, std::span<const RigPair> pairs,

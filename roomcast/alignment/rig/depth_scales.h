@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Depth scales of a rig's sensors, relative to the origin's: a Kinect read 4.5 % too near. They are
-// estimated jointly with the poses (joint_fit.h), from surfaces and features that stand still and
-// from what moves at the same instant in two views. Still surfaces alone do not determine them
-// (ADR 9). A factor is used only where it is determined and more likely than none (ADR 20).
+// Depth scales of a rig's sensors: a Kinect read 4.5 % too near. Their ratios are estimated jointly
+// with the poses (joint_fit.h), from surfaces and features that stand still and from what moves at
+// the same instant in two views. Still surfaces alone do not determine them (ADR 9). A factor is
+// used only where it is determined and more likely than none (ADR 20). What all scales have in
+// common is not determined by anything (common_scale.h).
 // Single-threaded.
 #pragma once
 
@@ -10,15 +11,11 @@
 #include <span>
 #include <vector>
 
+#include "roomcast/alignment/rig/common_scale.h"
 #include "roomcast/alignment/rig/joint_fit.h"
 #include "roomcast/alignment/rig/rig_refinement.h"
 
 namespace roomcast::alignment {
-
-struct DepthScale {
-  double factor = 1;          // on the sensor's readings; 1 where it is not determined
-  double standard_error = 0;  // of an estimated factor; 0 where there is none
-};
 
 struct DepthScaleOptions {
   double calibrated = 0.9;  // prior share of sensors that need no factor, where surfaces agree
@@ -27,6 +24,7 @@ struct DepthScaleOptions {
                             // scale from distance; by hand
   JointTermOptions terms;
   JointFitOptions fit;
+  CommonScaleOptions common;
 
   template <class Visit>
   void for_each_field(Visit visit) const {
@@ -35,6 +33,7 @@ struct DepthScaleOptions {
     visit("min_instants", min_instants, Range{0, 1e6});
     visit("terms", terms);
     visit("fit", fit);
+    visit("common", common);
   }
   [[nodiscard]] Status check() const { return check_fields("DepthScaleOptions", *this); }
 };

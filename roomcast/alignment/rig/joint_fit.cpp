@@ -192,6 +192,26 @@ void move(const Eigen::VectorXd& step, std::vector<ScaledPose>& poses) {
   }
 }
 
+bool is_held(const Eigen::VectorXd& prior, Eigen::Index unknown) {
+  return prior(unknown) >= kFixedInformation;
+}
+
+/// Leaves out what all held scales have in common, if the scale of no sensor in view is exact.
+void leave_out_common_scale(const Eigen::VectorXd& prior, const Eigen::VectorXd& prior_of_all,
+                            Eigen::MatrixXd& covariance) {
+  std::vector<Eigen::Index> scales;
+  for (Eigen::Index i = 0; i < prior.size(); i += kUnknowns) {
+    if (is_held(prior_of_all, i + kLens)) continue;  // in no pair
+    if (!is_held(prior, i + kScale) || is_held(prior_of_all, i + kScale)) return;
+    scales.push_back(i + kScale);
+  }
+  if (scales.empty()) return;
+  Eigen::MatrixXd differences = Eigen::MatrixXd::Identity(prior.size(), prior.size());
+  for (const Eigen::Index i : scales)
+    for (const Eigen::Index j : scales) differences(i, j) -= 1 / static_cast<double>(scales.size());
+  covariance = differences * covariance * differences.transpose();
+}
+
 /// Covariance of all unknowns of a fit: the larger one of the model's and of what patches say
 /// (Liang & Zeger 1986), and the effect of what is held though it is not known exactly.
 Eigen::MatrixXd covariance_of(const System& system, const Eigen::VectorXd& prior,
@@ -215,11 +235,11 @@ Eigen::MatrixXd covariance_of(const System& system, const Eigen::VectorXd& prior
   const Eigen::MatrixXd of_all = inverse_with(system.information, prior_of_all);
   Eigen::MatrixXd held = Eigen::MatrixXd::Zero(model.rows(), model.cols());
   for (Eigen::Index i = 0; i < prior.size(); ++i) {
-    if (prior(i) < kFixedInformation || prior_of_all(i) >= kFixedInformation) continue;
+    if (!is_held(prior, i) || is_held(prior_of_all, i)) continue;
     for (Eigen::Index j = 0; j < prior.size(); ++j)
-      if (prior(j) >= kFixedInformation && prior_of_all(j) < kFixedInformation)
-        held(i, j) = of_all(i, j);
+      if (is_held(prior, j) && !is_held(prior_of_all, j)) held(i, j) = of_all(i, j);
   }
+  leave_out_common_scale(prior, prior_of_all, held);
   const Eigen::MatrixXd carried = model * system.information;
   return covariance + carried * held * carried.transpose();
 }
@@ -267,7 +287,8 @@ JointFit fit_jointly(const JointTerms& terms, std::vector<ScaledPose> start, std
   for (std::size_t i = 0; i < sensors; ++i) {
     const Eigen::Index k = first_of(i);
     const bool held = i == origin || !terms.view(i);
-    fit.covariance.push_back(held ? Matrix6::Zero() : Matrix6(covariance.block<6, 6>(k, k)));
+    const double factor = held ? 0 : options.unmodelled * options.unmodelled;
+    fit.covariance.emplace_back(factor * covariance.block<6, 6>(k, k));
     const bool is_known = !is_free || !terms.view(i) || !(scale_sigmas[i] > 0);
     fit.scale_sigma.push_back(is_known ? 0 : std::sqrt(covariance(k + kScale, k + kScale)));
   }

@@ -343,6 +343,23 @@ SensorReport report_of(std::size_t index, const std::string& name, const RigAnsw
   return report;
 }
 
+/// Of the placed sensors whose scales are compared: all, where no factor is determined.
+double scale_error_of(const RigAnswer& answer, std::span<const DepthScale> scales,
+                      double uncalibrated_belief, const DepthScaleOptions& options) {
+  std::size_t placed = 0, determined = 0;
+  double belief = uncalibrated_belief;
+  for (std::size_t i = 0; i < answer.placed.size(); ++i) {
+    if (!answer.placed[i]) continue;
+    ++placed;
+    if (i >= scales.size() || !(scales[i].standard_error > 0)) continue;
+    ++determined;
+    if (scales[i].factor == 1) belief = 0;  // a calibrated one has the true scale
+  }
+  if (placed < 2) return 0;
+  return common_scale_error(determined > 0 ? determined + 1 : placed, belief,
+                            options.fit.scale_sigma, options.common);
+}
+
 }  // namespace
 
 std::vector<DepthScale> rig_depth_scales(std::size_t sensors, std::span<const RigPair> pairs,
@@ -372,6 +389,8 @@ AlignmentReport place_rig(std::span<const SensorView* const> views, std::span<co
       report.uncalibrated_belief =
           std::max(report.uncalibrated_belief, answer.refined[i].uncalibrated_belief);
   }
+  report.scale_error =
+      scale_error_of(answer, scales, report.uncalibrated_belief, options.depth_scales);
   return report;
 }
 

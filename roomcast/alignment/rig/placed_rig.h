@@ -28,7 +28,7 @@ struct PlacingOptions {
   float reported_reach_m = 0.05F;
   /// Belief that sensors are not calibrated from which poses are refined by all evidence
   /// (depth_scales.h).
-  double uncalibrated = 0.5;
+  double uncalibrated = 0.9;
 
   template <class Visit>
   void for_each_field(Visit visit) const {

@@ -14,24 +14,33 @@ struct SeenByOthers {
   double solid_consistent = 0, solid_violating = 0;  // blocks
   PlanarTexture prints;
   double uncalibrated_belief = 0;
+  double moving_agreement = 0;  // sum over pairs
 
-  void add(const PoseEvidence& evidence) {
+  void add(const PoseEvidence& evidence, const RigCheckOptions& options) {
     consistent += evidence.space.consistent;
     violating += evidence.space.violating;
     solid_consistent += static_cast<double>(evidence.solid.consistent);
     solid_violating += static_cast<double>(evidence.solid.violating);
+    if (static_cast<double>(evidence.solid.consistent) >= options.vouching_solid)
+      moving_agreement += evidence.moving_agreement;
   }
   /// Contradiction relative to the allowed limit; above 1 the pose cannot be true.
   [[nodiscard]] double contradiction(const RigCheckOptions& options) const {
     const double conflict = violating / (consistent + violating + 1e-3);
     const double solid_conflict = solid_violating / (solid_consistent + solid_violating + 1);
+    const bool is_vouched_for = moving_agreement >= options.vouching_pairs;
+    const double vouched = is_vouched_for ? uncalibrated_belief : 0;
     const double max_conflict =
-        std::lerp(options.max_conflict, options.max_uncalibrated_conflict, uncalibrated_belief);
+        std::lerp(options.max_conflict,
+                  is_vouched_for ? options.max_vouched_conflict : options.max_uncalibrated_conflict,
+                  uncalibrated_belief);
+    const double max_solid =
+        std::lerp(options.max_solid_conflict, options.max_vouched_solid, vouched);
     double worst = 0;
     if (violating > options.negligible_violation) worst = std::max(worst, conflict / max_conflict);
     if (solid_violating > options.negligible_solid)
-      worst = std::max(worst, solid_conflict / options.max_solid_conflict);
-    if (prints.contradicting > options.negligible_prints)
+      worst = std::max(worst, solid_conflict / max_solid);
+    if (vouched < 0.5 && prints.contradicting > options.negligible_prints)
       worst = std::max(worst, prints.conflict() / options.max_print_conflict);
     if (prints.alike > options.min_prints)
       worst = std::max(worst, prints.hue_conflict() / options.max_hue_conflict);
@@ -80,8 +89,8 @@ std::vector<SeenByOthers> seen_by_others(std::span<const RigPair> pairs, const R
     if (!answer.placed[pair.first] || !answer.placed[pair.second]) continue;
     const PairOptions& limits = pair.candidates->options();
     const PoseEvidence evidence = pair.candidates->examine(answer.relative(pair));
-    seen[pair.first].add(evidence);
-    seen[pair.second].add(evidence);
+    seen[pair.first].add(evidence, options);
+    seen[pair.second].add(evidence, options);
     prints.push_back({&pair, compare_planar_texture(pair.candidates->a(), pair.candidates->b(),
                                                     answer.state(pair), limits.planar_texture,
                                                     limits.reprojection)});

@@ -82,6 +82,26 @@ TEST(RigCheck, sensors_that_are_not_calibrated_may_be_in_each_others_way) {
   EXPECT_FALSE(NeighboursCheck({1, 1})(answer, RigCheck(options)).has_value());
 }
 
+/// One that is vouched for always, or never.
+RigCheckOptions with_vouching(double pairs) {
+  RigCheckOptions options;
+  options.vouching_pairs = pairs;
+  options.max_vouched_conflict = options.max_vouched_solid = 1;
+  return options;
+}
+
+TEST(RigCheck, what_moves_vouches_for_sensors_that_are_not_calibrated) {
+  RigAnswer answer = true_answer(2);
+  put_into_the_wall(answer, 1);
+  const auto contradicted = [&](double vouching_pairs, double uncalibrated_belief) {
+    for (RefinedSensor& sensor : answer.refined) sensor.uncalibrated_belief = uncalibrated_belief;
+    return NeighboursCheck({1, 1})(answer, RigCheck(with_vouching(vouching_pairs))).has_value();
+  };
+  EXPECT_FALSE(contradicted(0, 1));
+  EXPECT_TRUE(contradicted(1, 1)) << "nothing moves";
+  EXPECT_TRUE(contradicted(0, 0)) << "they are calibrated";
+}
+
 TEST(RigCheck, of_two_that_contradict_each_other_it_is_not_the_origin) {
   const NeighboursCheck check({1, 1});
   RigAnswer answer = true_answer(2);

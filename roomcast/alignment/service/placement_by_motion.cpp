@@ -15,7 +15,7 @@ constexpr std::size_t kMinSharedMoments = 8;
 /// Moments after which no more are asked for while all sensors have a pose.
 constexpr std::size_t kEnoughMoments = 64;
 /// Belief that sensors are not calibrated above which their factors are sought.
-constexpr double kDoubtsCalibration = 0.25;
+constexpr double kDoubtsCalibration = 0.6;
 
 }  // namespace
 
