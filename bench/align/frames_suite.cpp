@@ -10,6 +10,7 @@
 
 #include "bench/align/align_tally.h"
 #include "bench/align/depth_scale_of.h"
+#include "bench/align/said_error.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 #include "roomcast/alignment/rig/rig_aligner.h"
 
@@ -20,7 +21,7 @@ const Eigen::Vector3d kAhead_m(0, 0, 2.5);  // where views usually have somethin
 
 FramesAnswer answer_with(const FramesRig& rig, const FrameWindow& window) {
   alignment::RigAligner aligner({}, alignment::DepthScaling::kEstimated);
-  FramesAnswer answer{window, std::vector<alignment::SensorReport>(rig.sensors.size())};
+  FramesAnswer answer{window, std::vector<alignment::SensorReport>(rig.sensors.size()), 0};
   std::vector<std::size_t> given;
   for (std::size_t i = 0; i < rig.sensors.size(); ++i) {
     answer.sensors[i].id = rig.sensors[i];
@@ -33,6 +34,7 @@ FramesAnswer answer_with(const FramesRig& rig, const FrameWindow& window) {
   }
   const alignment::AlignmentReport report = aligner.solve();
   for (std::size_t i = 0; i < given.size(); ++i) answer.sensors[given[i]] = report.sensors[i];
+  answer.scale_error = report.scale_error;
   return answer;
 }
 
@@ -94,12 +96,19 @@ FramesPairRow pair_row(const FramesRig& rig, const std::vector<FramesAnswer>& an
     ahead_m.push_back(*found * kAhead_m);
     row.said_mm.push_back(
         std::max(answer.sensors[a].expected_error_mm, answer.sensors[b].expected_error_mm));
-    if (const auto ball = ball_distance_mm(rig, answer, a, b)) row.ball_mm.push_back(*ball);
+    if (const auto ball = ball_distance_mm(rig, answer, a, b)) {
+      row.ball_mm.push_back(*ball);
+      // All that both sensors measure shares the room's scale, so its error is not seen here.
+      if (!truth) row.errors_over_said.push_back(*ball / std::max(0.01, row.said_mm.back()));
+    }
     if (!truth) continue;
     row.wrong += !is_right(*found, *truth);
     const auto error = alignment::difference(*found, *truth, kAhead_m);
     row.errors_mm.push_back(1000 * error.distance_m);
     row.errors_deg.push_back(error.angle_rad * 180 / std::numbers::pi);
+    const double said_mm =
+        said_of(answer.sensors[a], answer.sensors[b], *found, answer.scale_error);
+    row.errors_over_said.push_back(row.errors_mm.back() / std::max(0.01, said_mm));
   }
   if (!ahead_m.empty()) row.spread_mm = distances_from_median_mm(ahead_m);
   return row;

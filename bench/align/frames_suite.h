@@ -58,6 +58,7 @@ struct FramesSuiteOptions {
 struct FramesAnswer {
   FrameWindow window;
   std::vector<alignment::SensorReport> sensors;  // of the rig, in its order
+  double scale_error = 0;
 };
 
 /// Alignment of a pair over the draws.
@@ -70,6 +71,7 @@ struct FramesPairRow {
   std::vector<double> spread_mm;              // 2.5 m ahead of b: distances from the median place
   std::vector<double> ball_mm;                // by draw: median distance of the ball's two places
   std::vector<double> said_mm;                // expected errors of b, or of a where b is the origin
+  std::vector<double> errors_over_said;       // with truth (said_error.h), else of the ball
 };
 
 struct FramesRigRow {

@@ -7,12 +7,18 @@
 
 #include "bench/align/align_tally.h"
 #include "bench/align/frames_suite.h"
+#include "bench/align/said_error.h"
 
 namespace roomcast::bench {
 namespace {
 
 double largest(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::ranges::max_element(values);
+}
+
+std::string share_or_dash(const std::vector<double>& errors_over_said) {
+  if (errors_over_said.empty()) return "-";
+  return fmt::format("{:.0f} %", 100 * share_within_twice(errors_over_said));
 }
 
 std::string mm_or_dash(const std::vector<double>& values) {
@@ -22,11 +28,12 @@ std::string mm_or_dash(const std::vector<double>& values) {
 void print_pairs(const std::string& rig, const std::string& frames,
                  const std::vector<FramesPairRow>& pairs, std::ostream& out) {
   for (const FramesPairRow& pair : pairs) {
-    out << fmt::format("{:<12} {:<7} {:<8} {:>3} of {:<3} {:>6} {:>12} {:>12} {:>12} {:>12}\n", rig,
-                       frames, pair.a + "-" + pair.b, pair.answered, pair.draws,
-                       pair.has_truth ? std::to_string(pair.wrong) : "-",
-                       mm_or_dash(pair.errors_mm), mm_or_dash(pair.spread_mm),
-                       mm_or_dash(pair.ball_mm), mm_or_dash(pair.said_mm));
+    out << fmt::format(
+        "{:<12} {:<7} {:<8} {:>3} of {:<3} {:>6} {:>12} {:>12} {:>12} {:>12} {:>7}\n", rig, frames,
+        pair.a + "-" + pair.b, pair.answered, pair.draws,
+        pair.has_truth ? std::to_string(pair.wrong) : "-", mm_or_dash(pair.errors_mm),
+        mm_or_dash(pair.spread_mm), mm_or_dash(pair.ball_mm), mm_or_dash(pair.said_mm),
+        share_or_dash(pair.errors_over_said));
   }
 }
 
@@ -40,7 +47,9 @@ nlohmann::json json_of(const std::vector<FramesPairRow>& pairs) {
                             {"spread_mm", pair.spread_mm},
                             {"median_spread_mm", median(pair.spread_mm)},
                             {"ball_mm", pair.ball_mm},
-                            {"median_said_mm", median(pair.said_mm)}};
+                            {"median_said_mm", median(pair.said_mm)},
+                            {"within_twice_said", share_within_twice(pair.errors_over_said)},
+                            {"errors_over_said", pair.errors_over_said}};
     if (!pair.ball_mm.empty()) entry["median_ball_mm"] = median(pair.ball_mm);
     if (pair.has_truth) {
       entry["wrong"] = pair.wrong;
@@ -56,8 +65,9 @@ nlohmann::json json_of(const std::vector<FramesPairRow>& pairs) {
 }  // namespace
 
 void print_table(const std::vector<FramesRigRow>& rows, std::ostream& out) {
-  out << fmt::format("{:<12} {:<7} {:<8} {:>10} {:>6} {:>12} {:>12} {:>12} {:>12}\n", "rig",
-                     "frames", "pair", "answered", "wrong", "error", "spread", "ball", "said");
+  out << fmt::format("{:<12} {:<7} {:<8} {:>10} {:>6} {:>12} {:>12} {:>12} {:>12} {:>7}\n", "rig",
+                     "frames", "pair", "answered", "wrong", "error", "spread", "ball", "said",
+                     "within");
   for (const FramesRigRow& row : rows) {
     print_pairs(row.rig, "draws", row.pairs, out);
     print_pairs(row.rig, "all", row.all, out);
@@ -66,7 +76,9 @@ void print_table(const std::vector<FramesRigRow>& rows, std::ostream& out) {
   }
   out << "\nMedian, largest in mm. Error: against the truth, 2.5 m ahead of the second sensor. "
          "Spread: the same point, from its median over\nthe draws. Ball: distance between the two "
-         "places of the ball. Said: the larger expected error of the two sensors.\n";
+         "places of the ball. Said: the larger expected error of the two sensors. Within: answers "
+         "that err by at most twice what is "
+         "said (against the truth: with the error of the room's scale).\n";
 }
 
 void print_json(const std::vector<FramesRigRow>& rows, std::ostream& out) {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "bench/align/rig_entries.h"
+#include "bench/align/said_error.h"
 #include "roomcast/alignment/pair/free_space.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 #include "roomcast/alignment/rig/rig_aligner.h"
@@ -99,9 +100,7 @@ void FreshSuite::judge_expected(const alignment::SensorReport& sensor, const Rig
 }
 
 double ErrorRatios::within_twice() const {
-  const auto within =
-      std::count_if(ratios.begin(), ratios.end(), [](double ratio) { return ratio <= 2; });
-  return static_cast<double>(within) / static_cast<double>(std::max<std::size_t>(1, ratios.size()));
+  return share_within_twice(ratios);
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include "bench/align/align_tally.h"
 #include "bench/align/depth_scale_of.h"
 #include "bench/align/rig_entries.h"
+#include "bench/align/said_error.h"
 #include "roomcast/alignment/pair/free_space.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 #include "roomcast/alignment/rig/rig_aligner.h"
@@ -56,6 +57,7 @@ void count_pair(const JudgedPair& pair, HarshRow& row) {
   const auto error = alignment::difference(*found, pair.truth());
   row.errors_mm.push_back(1000 * error.distance_m);
   row.errors_deg.push_back(error.angle_rad * 180 / std::numbers::pi);
+  row.elsewhere += row.errors_mm.back() > kElsewhere_mm || row.errors_deg.back() > kElsewhere_deg;
   row.scale_errors.push_back(pair.scale_error());
 }
 
@@ -72,8 +74,7 @@ void judge_what_was_said(const std::vector<HarshEntry>& entries,
     const JudgedPair pair{*entries[first].seen, *entries[i].seen, report.sensors[first],
                           report.sensors[i]};
     const double error_mm = 1000 * alignment::difference(*pair.found(), pair.truth()).distance_m;
-    // The report says 0 of the rig's origin, which may be either of the two sensors.
-    const double said_mm = std::hypot(pair.of_a.expected_error_mm, pair.of_b.expected_error_mm);
+    const double said_mm = said_of(pair.of_a, pair.of_b, *pair.found(), report.scale_error);
     row.ratios.push_back(error_mm / std::max(0.01, said_mm));
   }
 }
@@ -81,8 +82,7 @@ void judge_what_was_said(const std::vector<HarshEntry>& entries,
 }  // namespace
 
 double HarshRow::within_twice() const {
-  const auto within = std::ranges::count_if(ratios, [](double ratio) { return ratio <= 2; });
-  return static_cast<double>(within) / static_cast<double>(std::max<std::size_t>(1, ratios.size()));
+  return share_within_twice(ratios);
 }
 
 void HarshRow::add(const HarshRow& other) {
@@ -91,6 +91,7 @@ void HarshRow::add(const HarshRow& other) {
   pairs += other.pairs;
   answered += other.answered;
   wrong += other.wrong;
+  elsewhere += other.elsewhere;
   sharing += other.sharing;
   sharing_answered += other.sharing_answered;
   strangers += other.strangers;

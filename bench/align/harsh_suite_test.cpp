@@ -55,6 +55,14 @@ TEST(HarshSuite, an_answer_far_from_the_truth_is_wrong_and_worse_than_said) {
   EXPECT_EQ(row.within_twice(), 0);
 }
 
+TEST(HarshSuite, an_answer_at_another_place_is_told_from_one_that_is_not_exact) {
+  HarshView second = seen_without_error(alignment::second_corner());
+  second.world_from_depth.translation_m.x() += 0.2;
+  EXPECT_EQ(judged({{seen_without_error(alignment::first_corner()), second}, {}}).elsewhere, 0);
+  second.world_from_depth.translation_m.x() += 1;
+  EXPECT_EQ(judged({{seen_without_error(alignment::first_corner()), second}, {}}).elsewhere, 1);
+}
+
 TEST(HarshSuite, a_scale_that_is_not_found_is_an_error_of_scale) {
   HarshView first = seen_without_error(alignment::first_corner());
   first.depth_scale = 1.04;
