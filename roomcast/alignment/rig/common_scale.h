@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scale that all of a rig's sensors have in common. Nothing that they see tells it: a room whose
-// every distance is 2 % longer gives the same pictures to sensors that read 2 % too far. So it is
-// not found but assumed, and its error is told beside the poses, as a share of all distances; the
-// errors of the poses are what is left when all distances are right.
+// The scale that all of a rig's sensors have in common. Nothing that they see tells it: a room
+// whose every distance is 2 % longer gives the same pictures to sensors that read 2 % too far. So
+// it is not found but assumed, and its error is told beside the poses, as a share of all distances;
+// the errors of the poses are what is left when all distances are right.
 //
 // The law: readings of a sensor that nobody calibrated are off by the factor exp(e), e normal with
 // the prior's sigma, each sensor by itself. What the sensors see together tells the differences of
@@ -18,7 +18,7 @@
 #include <span>
 #include <vector>
 
-#include "roomcast/core/option_fields.h"
+#include "roomcast/alignment/pair/sensor_correction.h"
 
 namespace roomcast::alignment {
 

@@ -45,10 +45,9 @@ TEST(CommonScale, the_error_is_as_large_as_said) {
   double squares = 0;
   for (int i = 0; i < kRigs; ++i) {
     const double of_origin = error(random), of_second = error(random), of_third = error(random);
-    const auto found = in_common_scale({{1, 0},
-                                        {std::exp(of_second - of_origin), 0.001},
-                                        {std::exp(of_third - of_origin), 0.001}},
-                                       0);
+    const auto found = in_common_scale(
+        {{1, 0}, {std::exp(of_second - of_origin), 0.001}, {std::exp(of_third - of_origin), 0.001}},
+        0);
     squares += std::pow(std::log(found[0].factor) - of_origin, 2);
   }
   // The RMS of so many draws is known to 1.1 %; calibrated sensors' own error adds 1 %.
