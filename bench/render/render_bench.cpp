@@ -76,6 +76,8 @@ class RenderBench {
                        const DrawnView& drawn) const;
   [[nodiscard]] bool is_compared(std::size_t sensor, std::uint64_t number) const;
   [[nodiscard]] std::optional<FrameNumbers> next_frames(const FrameNumbers& numbers);
+  [[nodiscard]] std::size_t late_sensor() { return frames_.sensors().size() - 1; }
+  [[nodiscard]] std::uint64_t late_frame(std::uint64_t number);
   [[nodiscard]] std::set<int> instants() const;
   void report_progress(const std::string& what) const {
     if (progress_) progress_(what);
@@ -143,6 +145,9 @@ Result<render::RoomRenderer> RenderBench::room_of(render::RenderMode mode) {
     if (!status) return status.error();
   }
   if (auto status = warm_up(*room, mode); !status) return status.error();
+  if (options_.late_ms > 0 && !options_.keep_late) {
+    room->set_late(SensorId{static_cast<std::uint16_t>(late_sensor())}, true);
+  }
   return room;
 }
 
@@ -185,9 +190,21 @@ Status RenderBench::upload(render::RoomRenderer& room, std::size_t sensor, std::
   return status;
 }
 
+/// The newest frame of the late sensor that is older than `number` by `late_ms`, or its oldest one.
+std::uint64_t RenderBench::late_frame(std::uint64_t number) {
+  const double frames = options_.late_ms * views_.rig.fps / 1000;
+  std::uint64_t late = frames_.sensors()[late_sensor()].recording.frames.front().index;
+  for (const auto& file : frames_.sensors()[late_sensor()].recording.frames) {
+    if (static_cast<double>(file.index) + frames <= static_cast<double>(number)) late = file.index;
+  }
+  return late;
+}
+
 Status RenderBench::show(render::RoomRenderer& room, const FrameNumbers& numbers, RenderRow* cost) {
   for (std::size_t s = 0; s < numbers.size(); ++s) {
-    if (auto status = upload(room, s, numbers[s], cost); !status) return status;
+    const std::uint64_t number =
+        options_.late_ms > 0 && s == late_sensor() ? late_frame(numbers[s]) : numbers[s];
+    if (auto status = upload(room, s, number, cost); !status) return status;
   }
   return {};
 }

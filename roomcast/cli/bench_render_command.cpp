@@ -46,6 +46,12 @@ void add_render_bench(CLI::App& bench, Command& chosen) {
       ->check(within(0.0, 180.0));
   command->add_option("--pose-seed", options->pose_seed, "Seed of these directions")
       ->check(seed_number());
+  command
+      ->add_option("--late-ms", options->late_ms,
+                   "The last sensor's pictures are this old, as over a slow line")
+      ->check(within(0.0, 10'000.0));
+  command->add_flag("--keep-late", options->keep_late,
+                    "Draw these old pictures whole, also where others see through them");
   command->add_flag("--keep-holes{false}", options->complete_planes,
                     "Do not fill the holes of large planes, as roomcast sensor --keep-holes");
   command->add_option("--pictures", options->pictures, "Write the pictures into this folder");

@@ -49,6 +49,12 @@ void RoomRenderer::set_unplaced(SensorId id, bool unplaced) {
   for (auto& [other, sensor] : sensors_) sensor.model_is_fresh = false;
 }
 
+void RoomRenderer::set_late(SensorId id, bool late) {
+  const auto known = sensors_.find(id);
+  if (known == sensors_.end()) return;
+  if (std::exchange(known->second.is_late, late) != late) known->second.model_is_fresh = false;
+}
+
 Status RoomRenderer::upload(SensorId id, DepthView depth_mm, ColorView color, MaskView seen) {
   const auto sensor = sensors_.find(id);
   if (sensor == sensors_.end()) {
@@ -62,6 +68,9 @@ Status RoomRenderer::upload(SensorId id, DepthView depth_mm, ColorView color, Ma
     colors_.offer(id, known.surface.intrinsics(), depth_mm, color, seen);
   }
   known.model_is_fresh = false;
+  for (auto& [other, late] : sensors_) {
+    if (late.is_late) late.model_is_fresh = false;
+  }
   return {};
 }
 
@@ -139,10 +148,11 @@ void RoomRenderer::refresh_background_models() {
     std::vector<OtherSensor> others;
     for (const auto& [other_id, other] : sensors_) {
       if (other_id == id || other.is_unplaced) continue;
-      others.push_back(
-          {&other.surface, other.world_from_depth.inverse() * sensor.world_from_depth});
+      others.push_back({&other.surface, other.world_from_depth.inverse() * sensor.world_from_depth,
+                        other.is_late});
     }
-    parts_.updater.refresh(sensor.surface, others, {options_.mesh, colors_.gain(id)},
+    parts_.updater.refresh(sensor.surface, others,
+                           {options_.mesh, colors_.gain(id), sensor.is_late},
                            sensor.background_model);
   }
 }

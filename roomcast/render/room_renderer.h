@@ -59,6 +59,11 @@ class RoomRenderer {
   /// colours or background. Does nothing if there is no such sensor.
   void set_unplaced(SensorId id, bool unplaced);
 
+  /// Marks a sensor whose newest pictures are older than the other sensors'. In the adaptive and
+  /// blend modes its live surface is left out where a sensor that is not late sees through it: what
+  /// moves was there, and is seen elsewhere now. Does nothing if there is no such sensor.
+  void set_late(SensorId id, bool late);
+
   /// Sets the sensor's newest pictures. kNotFound without a set_sensor before it; other errors as
   /// SensorSurface::upload.
   Status upload(SensorId id, DepthView depth_mm, ColorView color, MaskView seen);
@@ -82,6 +87,7 @@ class RoomRenderer {
     BackgroundModel background_model;
     bool model_is_fresh = false;
     bool is_unplaced = false;
+    bool is_late = false;
   };
   struct Parts {
     PointRenderer points;

@@ -32,7 +32,7 @@ async function makeRoom() {
     room.setQuality(qualities[0], camera.position, 60);
   };
   /** `pixelOf(u, v)` gives [depth_mm, r, g, b]. */
-  const see = (sensor, pixelOf) => {
+  const see = (sensor, pixelOf, capture_ms = undefined) => {
     const depth_mm = new Uint16Array(width * height);
     const rgba = new Uint8Array(4 * width * height);
     for (let i = 0; i < depth_mm.length; i++) {
@@ -40,7 +40,7 @@ async function makeRoom() {
       depth_mm[i] = depth;
       rgba.set([...color, depth > 0 ? 255 : 0], 4 * i); // pixels without a reading have an arbitrary colour
     }
-    room.show([{ sensor, width, height, depth_mm, rgba }]);
+    room.show([{ sensor, width, height, depth_mm, rgba, capture_ms }]);
     draw();
   };
   const size = 96;
@@ -108,6 +108,29 @@ describe('blended surfaces', () => {
       return middle();
     });
     assert.ok(isNear(color, [20, 20, 200]), String(color));
+  });
+
+  test('what a late sensor saw is gone where another one sees through it, until its next picture', slow, async (t) => {
+    await freshRoom(t);
+    const colors = await page.evaluate(() => {
+      const { place, see, middle, inBox, red, green } = window.room;
+      place(0, 0.01);
+      const box = (u, v) => (inBox(u, v) ? [1500, ...green] : [3000, ...red]);
+      for (let i = 0; i < 10; i++) see(0, () => [3000, ...red], 100 * i);
+      see(0, box, 1000);
+      const inTime = middle();
+      see(1, () => [3000, ...red], 1250);
+      const early = middle();
+      see(1, () => [3000, ...red], 1350);
+      const late = middle();
+      see(0, box, 1380);
+      return { inTime, early, late, again: middle() };
+    });
+    const [boxColor, wallColor] = [[20, 200, 20], [200, 20, 20]];
+    assert.ok(isNear(colors.inTime, boxColor) && isNear(colors.early, boxColor), JSON.stringify(colors));
+    assert.ok(isNear(colors.late, wallColor), JSON.stringify(colors));
+    assert.ok(isNear(colors.again, boxColor), JSON.stringify(colors));
+    assert.deepEqual(page.complaints, []);
   });
 
   test('background that another sensor sees through is removed', slow, async (t) => {

@@ -56,7 +56,7 @@ void BackgroundUpdater::update(const SensorSurface& sensor, BackgroundModel& mod
 }
 
 void BackgroundUpdater::refresh(const SensorSurface& sensor, std::span<const OtherSensor> others,
-                                const SurfaceCleaner::Options& options, BackgroundModel& model) {
+                                const Options& options, BackgroundModel& model) {
   using shaders::background_depth_comp;
   model.set_color_scale(sensor.color_scale());
   sensor.bind_to(parts_.background);
@@ -68,13 +68,15 @@ void BackgroundUpdater::refresh(const SensorSurface& sensor, std::span<const Oth
       {model.classes_, model.live_.depth_m, model.seen_});
   using Shows = SurfaceCleaner::Shows;
   parts_.cleaner.repair(Shows::kNewest, model.live_);
-  for (const OtherSensor& other : others) carve(sensor, other, model.background_.depth_m);
+  for (const OtherSensor& other : others) {
+    carve(sensor, other, model.background_.depth_m);
+    if (options.is_late && !other.is_late) carve(sensor, other, model.live_.depth_m);
+  }
   parts_.cleaner.repair(Shows::kBackground, model.background_);
 
   const SurfaceCleaner::Known known{model.readings_, model.background_color_, model.seen_};
-  parts_.cleaner.finish(sensor, known, Shows::kNewest, options, model.live_);
-  SurfaceCleaner::Options behind = options;
-  behind.covering = &model.live_;
+  parts_.cleaner.finish(sensor, known, Shows::kNewest, {options.mesh, options.gain}, model.live_);
+  const SurfaceCleaner::Options behind{options.mesh, options.gain, &model.live_};
   parts_.cleaner.finish(sensor, known, Shows::kBackground, behind, model.background_);
   parts_.cleaner.find_foreground(model.background_, options.mesh, model.live_);
 }

@@ -16,10 +16,11 @@
 
 namespace roomcast::render {
 
-/// Another sensor, used to find background that it sees through.
+/// Another sensor, used to find surfaces that it sees through.
 struct OtherSensor {
   const SensorSurface* surface = nullptr;
   RigidTransform other_from_depth;
+  bool is_late = false;
 };
 
 class BackgroundModel {
@@ -52,10 +53,16 @@ class BackgroundUpdater {
   /// Updates the model with the sensor's new picture. Call it for every picture, drawn or not.
   void update(const SensorSurface& sensor, BackgroundModel& model) const;
 
+  struct Options {
+    SurfaceMeshOptions mesh;
+    Eigen::Vector3f gain;  // for the sensor's colours, red first
+    bool is_late = false;  // then the live surface is removed where another sensor sees through it
+  };
+
   /// Computes both surfaces for drawing. Call it when all sensors have their newest pictures, and
   /// after a sensor was moved.
   void refresh(const SensorSurface& sensor, std::span<const OtherSensor> others,
-               const SurfaceCleaner::Options& options, BackgroundModel& model);
+               const Options& options, BackgroundModel& model);
 
  private:
   struct Parts {

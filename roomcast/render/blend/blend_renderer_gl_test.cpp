@@ -83,6 +83,28 @@ TEST_F(BlendTest, a_hole_takes_the_colour_around_it_and_the_outside_does_not) {
   EXPECT_EQ(wide().color.at(4, 4), kRed);
 }
 
+TEST_F(BlendTest, what_a_late_sensor_saw_is_gone_where_another_sees_through_it) {
+  const SensorPictures bare = wall(kBlendRendererLens, 3000, kRed);
+  for (int i = 0; i < 20; ++i) add(kFirst, kBlendRendererLens, kBlendRendererPose, bare);
+  SensorPictures visited = bare;
+  fill_box<std::uint16_t>(visited.depth_mm, 20, 12, 44, 36, 1500);
+  fill_box(visited.color, 20, 12, 44, 36, kBlue);
+  add(kFirst, kBlendRendererLens, kBlendRendererPose, visited);
+  const auto shows = [&](RenderMode mode) {
+    return draw(eye_of(kBlendRendererLens, kBlendRendererPose), mode).color.at(32, 24);
+  };
+  for (const RenderMode mode : {RenderMode::kBlend, RenderMode::kAdaptive}) {
+    room_->remove(kSecond);
+    room_->set_late(kFirst, true);
+    EXPECT_EQ(shows(mode), kBlue) << name_of(mode) << ": nobody sees that it is gone";
+    add(kSecond, kBlendRendererLens, kBlendRendererPose, bare);
+    EXPECT_EQ(shows(mode), kRed) << name_of(mode);
+    room_->set_late(kFirst, false);
+    EXPECT_EQ(shows(mode), kBlue) << name_of(mode);
+  }
+  room_->set_late(SensorId{7}, true);  // there is no such sensor
+}
+
 TEST_F(BlendTest, an_empty_room_is_the_background) {
   see(Unseen::kSurroundings);
   EXPECT_EQ(middle_from(kBlendRendererEye), kNothing);

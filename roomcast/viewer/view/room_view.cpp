@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "roomcast/viewer/view/late_sensors.h"
+
 namespace roomcast::viewer {
 
 Result<RoomView> RoomView::create() {
@@ -18,15 +20,16 @@ Result<RoomView> RoomView::create() {
 Status RoomView::show(const client::RoomSnapshot& room) {
   Status first_fault;
   people_.follow(room);
+  const std::set<SensorId> late = late_sensors(room);
   for (const client::RoomSensor& sensor : room.sensors) {
-    auto status = show_sensor(sensor);
+    auto status = show_sensor(sensor, late.contains(sensor.id));
     if (!status && first_fault) first_fault = std::move(status);
   }
   return first_fault;
 }
 
 // Does not draw a sensor that is offline or has not sent anything: an old picture would look live.
-Status RoomView::show_sensor(const client::RoomSensor& sensor) {
+Status RoomView::show_sensor(const client::RoomSensor& sensor, bool is_late) {
   if (!sensor.online || !sensor.picture || hidden_.contains(sensor.id)) {
     renderer_.remove(sensor.id);
     uploaded_.erase(sensor.id);
@@ -38,6 +41,7 @@ Status RoomView::show_sensor(const client::RoomSensor& sensor) {
     return status;
   }
   renderer_.set_unplaced(sensor.id, !sensor.pose.is_placed());
+  renderer_.set_late(sensor.id, is_late);
   Uploaded& uploaded = uploaded_[sensor.id];
   if (sensor.is_paused) return clear_surface(sensor, uploaded);
   if (uploaded.picture == sensor.picture && uploaded.lens == sensor.calibration.depth) return {};

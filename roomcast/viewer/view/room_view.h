@@ -47,7 +47,7 @@ class RoomView {
     CameraIntrinsics lens;  // a change of it clears the surface
     bool is_cleared = false;
   };
-  Status show_sensor(const client::RoomSensor& sensor);
+  Status show_sensor(const client::RoomSensor& sensor, bool is_late);
   Status clear_surface(const client::RoomSensor& sensor, Uploaded& uploaded);
 
   render::RoomRenderer renderer_;

@@ -20,6 +20,8 @@ export class PlacedSensor {
   readonly worldFromDepth = new THREE.Matrix4();
   wanted = true; // not switched off by the user
   chosen = true; // within the number of sensors that the machine can draw
+  isLate = false; // its newest picture is old beside those of the others
+  capture_ms: number | undefined; // room time of its newest picture; undefined before it, and while it is paused
   isStale = true; // the layers do not show the memory's newest data yet
 
   constructor(

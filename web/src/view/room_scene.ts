@@ -9,6 +9,7 @@ import { bestSensors } from './best_sensors';
 import { BackgroundUpdater } from './blend/background_updater';
 import { canBlend, RoomBlend } from './blend/room_blend';
 import type { Drawing, DrawMode } from './draw_mode';
+import { lateSensors } from './late_sensors';
 import { PlacedSensor } from './placed_sensor';
 import type { Quality } from './quality_ladder';
 import { floorGrid } from './room_marks';
@@ -137,15 +138,27 @@ export class RoomScene {
       placed.pictures.show(frame, this.renderer);
       if (placed.memory && this.isMixing && !placed.isApart) this.keeper!.remember(placed.memory);
       placed.isStale = true;
+      placed.capture_ms = frame.capture_ms;
       this.applyMode(placed);
+    }
+    this.markLate();
+  }
+
+  private markLate(): void {
+    const late = lateSensors([...this.placed.values()]);
+    for (const placed of this.placed.values()) {
+      if (late.has(placed) || placed.isLate) placed.isStale = true;
+      placed.isLate = late.has(placed);
     }
   }
 
   /** What moves would stay where it was: of these sensors, only the background that they have seen is drawn. */
   clear(sensors: readonly number[]): void {
     for (const sensor of sensors) {
-      const pictures = this.placed.get(sensor)?.pictures;
-      if (pictures?.hasPicture) pictures.clear(this.renderer);
+      const placed = this.placed.get(sensor);
+      if (!placed?.pictures.hasPicture) continue;
+      placed.pictures.clear(this.renderer);
+      placed.capture_ms = undefined;
     }
   }
 
@@ -183,21 +196,22 @@ export class RoomScene {
       const { memory, layers } = placed;
       if (!memory || placed.isApart || !placed.isStale || memory.pictures === 0) continue;
       placed.isStale = false;
-      if (memory.pictures % carveEvery === 0) this.carve(placed);
+      if (memory.pictures % carveEvery === 0) this.keeper!.carve(memory, this.othersOf(placed));
+      this.keeper!.carveLive(memory, placed.isLate ? this.othersOf(placed).filter(({ isLate }) => !isLate) : []);
       this.keeper!.refresh(memory);
       layers.forEach((layer) => layer.refresh());
     }
   }
 
-  private carve(placed: PlacedSensor): void {
+  private othersOf(placed: PlacedSensor) {
     const others = [...this.placed.values()].filter(
       (other) => other !== placed && other.pictures.hasPicture && !other.isApart,
     );
-    const views = others.map(({ pictures, worldFromDepth }) => ({
+    return others.map(({ pictures, worldFromDepth, isLate }) => ({
       pictures,
+      isLate,
       otherFromDepth: worldFromDepth.clone().invert().multiply(placed.worldFromDepth),
     }));
-    this.keeper!.carve(placed.memory!, views);
   }
 
   private add(entry: RoomSensor): void {

@@ -58,7 +58,9 @@ export class Grids {
   readonly quality: THREE.WebGLRenderTarget;
   readonly background: THREE.WebGLRenderTarget;
   readonly carved: THREE.WebGLRenderTarget;
+  readonly carvedLive: THREE.WebGLRenderTarget;
   isCarved = false; // carved contains data
+  isLiveCarved: boolean | undefined; // carvedLive contains places; undefined: it contains nothing yet
 
   constructor(
     readonly step: number,
@@ -72,7 +74,8 @@ export class Grids {
       THREE.WebGLRenderTarget,
       THREE.WebGLRenderTarget,
     ];
-    [this.inRow, this.carved] = [0, 1].map(() => target(columns, rows, share)) as [
+    [this.inRow, this.carved, this.carvedLive] = [0, 1, 2].map(() => target(columns, rows, share)) as [
+      THREE.WebGLRenderTarget,
       THREE.WebGLRenderTarget,
       THREE.WebGLRenderTarget,
     ];
@@ -80,7 +83,7 @@ export class Grids {
   }
 
   dispose(): void {
-    for (const each of [this.repaired, this.live, this.inRow, this.quality, this.background, this.carved]) {
+    for (const each of [this.repaired, this.live, this.inRow, this.quality, this.background, this.carved, this.carvedLive]) {
       each.dispose();
     }
   }

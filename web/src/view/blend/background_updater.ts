@@ -21,7 +21,7 @@ function uniforms<Name extends string>(...names: Name[]): Record<Name, THREE.IUn
 export class BackgroundUpdater {
   private readonly rememberIn = uniforms('uDepth', 'uColor', 'uReadings', 'uMeanColor');
   private readonly repairIn = uniforms('uDepth_m', 'uStep');
-  private readonly smoothIn = uniforms('uDepth_m');
+  private readonly smoothIn = uniforms('uDepth_m', 'uCarved');
   private readonly edgeIn = uniforms('uDepth_m', 'uStep');
   private readonly qualityIn = uniforms('uDepth_m', 'uInRow', 'uRays', 'uStep');
   private readonly backgroundIn = uniforms('uDepth', 'uReadings', 'uLive_m', 'uCarved', 'uStep');
@@ -71,6 +71,7 @@ export class BackgroundUpdater {
     for (const into of [this.repairIn, this.edgeIn, this.qualityIn, this.backgroundIn]) into.uStep.value = grids.step;
     this.repairIn.uDepth_m.value = current.newest;
     this.smoothIn.uDepth_m.value = grids.repaired.texture;
+    this.smoothIn.uCarved.value = grids.carvedLive.texture;
     this.edgeIn.uDepth_m.value = this.qualityIn.uDepth_m.value = grids.live.texture;
     this.qualityIn.uInRow.value = grids.inRow.texture;
     this.qualityIn.uRays.value = sensor.rays;
@@ -89,15 +90,33 @@ export class BackgroundUpdater {
     });
   }
 
-  /** Removes surfaces that other sensors see through, until the next call. */
+  /** Removes background that other sensors see through, until the next call. */
   carve(memory: BackgroundModel, others: readonly OtherSensor[]): void {
+    this.carveInto(memory.grids.carved, memory.current.readings, memory, others);
+    memory.grids.isCarved = true;
+  }
+
+  /** Removes what is live and other sensors see through, until the next call. Call it before each refresh. */
+  carveLive(memory: BackgroundModel, others: readonly OtherSensor[]): void {
+    const { grids, current } = memory;
+    if (others.length === 0 && grids.isLiveCarved === false) return;
+    this.carveInto(grids.carvedLive, current.newest, memory, others);
+    grids.isLiveCarved = others.length > 0;
+  }
+
+  /** `depth_m`: in its first channel. */
+  private carveInto(
+    carved: THREE.WebGLRenderTarget,
+    depth_m: THREE.Texture,
+    { grids, sensor }: BackgroundModel,
+    others: readonly OtherSensor[],
+  ): void {
     const { renderer, carveIn } = this;
-    const { grids, current, sensor } = memory;
-    carveIn.uReadings.value = current.readings;
+    carveIn.uReadings.value = depth_m;
     carveIn.uRays.value = sensor.rays;
     carveIn.uStep.value = grids.step;
     withoutHeadset(renderer, () => {
-      this.clear(grids.carved);
+      this.clear(carved);
       for (const { pictures, otherFromDepth } of others) {
         const { fx, fy, cx, cy, k1, k2, k3, p1, p2 } = pictures.lens;
         carveIn.uOtherDepth.value = pictures.depth;
@@ -105,10 +124,9 @@ export class BackgroundUpdater {
         carveIn.uOtherFocalCenter.value.set(fx, fy, cx, cy);
         carveIn.uOtherRadial.value.set(k1, k2, k3);
         carveIn.uOtherTangential.value.set(p1, p2);
-        this.passes.carve.run(renderer, grids.carved);
+        this.passes.carve.run(renderer, carved);
       }
     });
-    grids.isCarved = true;
   }
 
   private clear(target: THREE.WebGLRenderTarget): void {

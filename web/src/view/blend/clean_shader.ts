@@ -37,6 +37,7 @@ void main() {
 /** Bilateral filter (Tomasi & Manduchi 1998): the mean over those of 5x5 cells that are on the same surface. */
 export const smoothShader = /* glsl */ `
 uniform sampler2D uDepth_m;  // in the grid
+uniform sampler2D uCarved;   // in the grid, above 0 where another sensor looks through
 out vec4 smoothed_m;
 ${depthNoise}
 const float kSpatialSigma_px = 1.6;
@@ -45,6 +46,7 @@ void main() {
   ivec2 cell = ivec2(gl_FragCoord.xy);
   ivec2 last = textureSize(uDepth_m, 0) - 1;
   float z = texelFetch(uDepth_m, cell, 0).r;
+  if (texelFetch(uCarved, cell, 0).r > 0.0) z = 0.0;
   if (z > 0.0) {
     float range = 3.0 * depthSigma(z) + 0.004;
     float sum = 0.0, weights = 0.0;
