@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What alignment says of the error of one sensor relative to another one. Millimetres where a name
+// The error that alignment expects of one sensor relative to another one. Millimetres where a name
 // says so. Thread-safe (no state).
 #pragma once
 

@@ -2,16 +2,13 @@
 #include "bench/render/frame_times.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <ostream>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "bench/render/rig_frames.h"
 #include "bench/render/truth_view.h"
@@ -25,6 +22,9 @@ constexpr int kPicturesPerFrameSet = 3;  // of a headset of 90 Hz, sensors of 30
 constexpr std::size_t kKeptFrameSets = 10;
 constexpr double kEyesApart_m = 0.064;
 constexpr double kCopyBeside_m = 0.03;
+// How the head moves: to each side, in so many pictures to and fro.
+constexpr double kSway_m = 0.1, kTurn_rad = std::numbers::pi / 18;
+constexpr int kPicturesOfSway = 180;
 
 using Clock = std::chrono::steady_clock;
 
@@ -125,14 +125,14 @@ Status FrameTimes::show(render::RoomRenderer& room, const FrameSet& set, int sen
 
 /// A head that sways 10 cm and turns 10 degrees to each side in two seconds.
 render::Eyes FrameTimes::eyes_at(int picture) const {
-  const double phase = std::sin(2 * std::numbers::pi * picture / 180);
+  const double phase = std::sin(2 * std::numbers::pi * picture / kPicturesOfSway);
   render::ViewCamera left = head_, right = head_;
   const Eigen::Vector3d aside = head_.world_from_view.rotation.col(0);
   const Eigen::Matrix3d turn =
-      Eigen::AngleAxisd(phase * std::numbers::pi / 18, Eigen::Vector3d::UnitY()).toRotationMatrix();
+      Eigen::AngleAxisd(phase * kTurn_rad, Eigen::Vector3d::UnitY()).toRotationMatrix();
   for (render::ViewCamera* eye : {&left, &right}) {
     eye->world_from_view.rotation = turn * head_.world_from_view.rotation;
-    eye->world_from_view.translation_m += 0.1 * phase * aside;
+    eye->world_from_view.translation_m += kSway_m * phase * aside;
   }
   left.world_from_view.translation_m -= kEyesApart_m / 2 * (turn * aside);
   right.world_from_view.translation_m += kEyesApart_m / 2 * (turn * aside);
@@ -168,10 +168,6 @@ Result<FrameTimesRow> FrameTimes::measure(render::RenderMode mode, int sensors) 
   }
   return FrameTimesRow{std::string(name_of(mode)), sensors, spread_of(with_new), spread_of(without),
                        spread_of(gpu)};
-}
-
-nlohmann::json json_of(const Spread& spread) {
-  return {{"median", spread.median}, {"p95", spread.p95}};
 }
 
 }  // namespace
@@ -233,37 +229,6 @@ Result<FrameTimesReport> run_frame_times(const FrameTimesOptions& options,
     }
   }
   return report;
-}
-
-void print_table(const FrameTimesReport& report, std::ostream& out) {
-  out << fmt::format("{}: two eyes of {}x{}, simulated; {}\n", report.rig, report.eye_pixels,
-                     report.eye_pixels, report.driver);
-  out << fmt::format("{:>7} {:<8} {:>19} {:>19} {:>19}\n", "sensors", "mode", "with new frames",
-                     "without", "GPU");
-  const auto ms = [](const Spread& spread) {
-    return fmt::format("{:.2f} / {:.2f} ms", spread.median, spread.p95);
-  };
-  for (const FrameTimesRow& row : report.rows) {
-    out << fmt::format("{:>7} {:<8} {:>19} {:>19} {:>19}\n", row.sensors, row.mode,
-                       ms(row.with_new_frames_ms), ms(row.without_ms), ms(row.gpu_ms));
-  }
-  out << "Median / 95th percentile until a picture of both eyes is finished. With new frames: all "
-         "sensors' are uploaded.\n";
-}
-
-void print_json(const FrameTimesReport& report, std::ostream& out) {
-  nlohmann::json json = {{"rig", report.rig},
-                         {"driver", report.driver},
-                         {"eye_pixels", report.eye_pixels},
-                         {"rows", nlohmann::json::array()}};
-  for (const FrameTimesRow& row : report.rows) {
-    json["rows"].push_back({{"mode", row.mode},
-                            {"sensors", row.sensors},
-                            {"with_new_frames_ms", json_of(row.with_new_frames_ms)},
-                            {"without_ms", json_of(row.without_ms)},
-                            {"gpu_ms", json_of(row.gpu_ms)}});
-  }
-  out << json.dump(1) << "\n";
 }
 
 }  // namespace roomcast::bench

@@ -5,8 +5,8 @@
 // the errors of the poses are what is left when all distances are right.
 //
 // The law: readings of a sensor that nobody calibrated are off by the factor exp(e), e normal with
-// the prior's sigma, each sensor by itself. What the sensors see together tells the differences of
-// the e, and therefore every e but for their mean. The best estimate of the mean is 0, so factors
+// the prior's sigma, each sensor by itself. Together the sensors determine the differences of
+// the e, and so every e but for their mean. The best estimate of the mean is 0, so factors
 // are chosen whose mean logarithm is 0, and the mean's variance is sigma^2 / n for n sensors.
 // With factors relative to one of them (factor 1 for the origin) it would be sigma^2. Calibrated
 // sensors share a small error, chiefly multipath, which does not fall with their number. Both are

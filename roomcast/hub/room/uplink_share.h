@@ -2,8 +2,8 @@
 // UplinkShare: divides a room's uplink among its sensors by what viewers look at. A sensor that
 // comes into view gets its share at once; what goes out of view loses it slowly, so that shares do
 // not swing with a viewer who looks to and fro. Sensors that do not keep to a share keep their
-// rate, and the others share the rest. What a sensor does not use (nothing moves before it) is lent
-// to those that use all of theirs; it comes back at once when the sensor uses what it was left.
+// rate, and the others share the rest. A calm sensor lends what it does not use of its share to
+// those that use all of theirs, and has it back at once when it uses all that it was left.
 // Pure; single-threaded. Source of the division: max-min fairness (Bertsekas and Gallager 1992).
 #pragma once
 

@@ -55,7 +55,7 @@ class ColorMatching {
     int skipped = kEvery;       // so that the first picture is used
     std::uint64_t version = 0;  // grows with each picture that is used
   };
-  /// What a sensor's places look like to another one.
+  /// A sensor's places beside what another sensor sees there.
   struct Comparison {
     std::uint64_t version = 0, other_version = 0;  // of the compared pictures; 0: none yet
     RigidTransform other_from_sensor;

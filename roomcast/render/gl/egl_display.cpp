@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <epoxy/egl.h>
@@ -20,19 +19,9 @@ bool client_has(const char* extension) {
   return epoxy_has_egl_extension(EGL_NO_DISPLAY, extension);
 }
 
-bool has_word(std::string_view words, std::string_view word) {
-  for (std::size_t at = words.find(word); at != std::string_view::npos;
-       at = words.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' '))
-      return true;
-  }
-  return false;
-}
-
 bool draws_in_software(EGLDeviceEXT device) {
   const char* extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
-  return extensions != nullptr && has_word(extensions, "EGL_MESA_device_software");
+  return extensions != nullptr && epoxy_extension_in_string(extensions, "EGL_MESA_device_software");
 }
 
 std::vector<EGLDisplay> displays_of_cards() {

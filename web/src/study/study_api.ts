@@ -21,7 +21,7 @@ export class StudyProblem extends Error {
   }
 }
 
-const patience_ms = 20_000; // for an answer; then it counts as no answer
+const patience_ms = 20_000; // for a short answer; then it counts as none
 
 type Answered = Pick<Response, 'ok' | 'status' | 'json' | 'blob'>;
 type Fetch = (address: string, init: RequestInit) => Promise<Answered>;
@@ -59,18 +59,17 @@ export class StudyApi {
   }
 
   private async ask<Answer>(method: 'GET' | 'POST', path: string, body?: object, keepalive = false): Promise<Answer> {
-    const response = await this.fetch(method, path, body, keepalive);
+    const response = await this.fetch(method, path, body, { keepalive, signal: AbortSignal.timeout(patience_ms) });
     const said = response.ok ? ((await response.json().catch(() => undefined)) as Answer | undefined) : undefined;
     if (said) return said;
     throw await problemOf(response);
   }
 
-  private async fetch(method: 'GET' | 'POST', path: string, body?: object, keepalive = false): Promise<Answered> {
+  private async fetch(method: 'GET' | 'POST', path: string, body?: object, more: RequestInit = {}): Promise<Answered> {
     const token = this.token();
     const headers: Record<string, string> = body ? { 'Content-Type': 'application/json' } : {};
     if (token) headers['Authorization'] = `Bearer ${token}`;
-    const signal = AbortSignal.timeout(patience_ms);
-    const init: RequestInit = { method, headers, keepalive, signal, ...(body && { body: JSON.stringify(body) }) };
+    const init: RequestInit = { method, headers, ...more, ...(body && { body: JSON.stringify(body) }) };
     const response = await this.fetching(`api/v1/study${path}`, init).catch(() => undefined);
     if (!response) throw new StudyProblem(texts.noHub, false);
     return response;
