@@ -114,6 +114,7 @@ Status check_join(const pb::Join& join) {
     case pb::Join::kViewer:
       return check_viewer_role(join.viewer());
     case pb::Join::kAligner:
+    case pb::Join::kModeler:
       return {};
     case pb::Join::ROLE_NOT_SET:
       break;
@@ -350,11 +351,10 @@ Status check_control(const pb::Control& control) {
     case pb::Control::kSensorHealth:
       return check_health(control.sensor_health());
     case pb::Control::kCoarseDepth:
-      return check_coarse_depth(control.coarse_depth());
     case pb::Control::kFrameDemand:
-      return check_frame_demand(control.frame_demand());
     case pb::Control::kUnseenSensors:
-      return check_unseen_sensors(control.unseen_sensors());
+    case pb::Control::kWatchedFrom:
+      return check_visibility(control);
     case pb::Control::kCalibrationBundle:
       return check_bundle(control.calibration_bundle());
     case pb::Control::kPlacements:

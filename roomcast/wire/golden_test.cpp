@@ -128,6 +128,13 @@ void add_visibility_messages(std::vector<GoldenMessage>& messages) {
       golden_control("control_set_end", R"({"setEnd":{"setId":"18446744073709551615"}})"));
 }
 
+/// Added after the settings, so that the files before them stay as they were.
+void add_view_messages(std::vector<GoldenMessage>& messages) {
+  messages.push_back(golden_control(
+      "control_watched_from",
+      R"({"watchedFrom":{"cones":[{"eye":{"x":0.5,"y":-1.5,"z":2},"forward":{"z":-1},"halfAngle":0.75}]}})"));
+}
+
 void add_settings_messages(std::vector<GoldenMessage>& messages) {
   messages.push_back(golden_control(
       "control_settings_request",
@@ -207,6 +214,7 @@ std::vector<GoldenMessage> golden_messages() {
   add_voice_messages(messages);
   add_visibility_messages(messages);
   add_settings_messages(messages);
+  add_view_messages(messages);
   return messages;
 }
 

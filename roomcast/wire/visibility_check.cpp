@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/wire/visibility_check.h"
 
+#include <cmath>
+
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::wire {
@@ -9,8 +11,6 @@ namespace {
 Error malformed_visibility(const char* sentence) {
   return {ErrorCode::kMalformed, sentence};
 }
-
-}  // namespace
 
 Status check_coarse_depth(const pb::CoarseDepth& depth) {
   const auto is_side = [](unsigned side) { return side >= 1 && side <= kMaxCoarseSide; };
@@ -33,6 +33,44 @@ Status check_frame_demand(const pb::FrameDemand& demand) {
   if (!is_rate)
     return malformed_visibility("a sensor's share of an uplink must be 0 to 1000 Mbit/s");
   return {};
+}
+
+Status check_cone(const pb::ViewCone& cone) {
+  const auto is_near = [](float metres) { return std::abs(metres) <= kMaxPosition_m; };
+  const pb::Point &eye = cone.eye(), &forward = cone.forward();
+  if (!is_near(eye.x()) || !is_near(eye.y()) || !is_near(eye.z()))  // false for NaN
+    return malformed_visibility("a viewer's eye must be within 10 km");
+  constexpr float kRounding = 0.01F;
+  const float length = std::hypot(forward.x(), forward.y(), forward.z());
+  if (!(std::abs(length - 1) <= kRounding))
+    return malformed_visibility("a direction of view must be a unit vector");
+  return check_view_half_angle(cone.half_angle());
+}
+
+Status check_watched_from(const pb::WatchedFrom& watched) {
+  if (watched.cones_size() > kMaxViewCones)
+    return Error{ErrorCode::kTooLarge, "there are more cones of view than a message may have"};
+  for (const auto& cone : watched.cones()) {
+    if (auto s = check_cone(cone); !s) return s;
+  }
+  return {};
+}
+
+}  // namespace
+
+Status check_visibility(const pb::Control& control) {
+  switch (control.message_case()) {
+    case pb::Control::kCoarseDepth:
+      return check_coarse_depth(control.coarse_depth());
+    case pb::Control::kFrameDemand:
+      return check_frame_demand(control.frame_demand());
+    case pb::Control::kUnseenSensors:
+      return check_unseen_sensors(control.unseen_sensors());
+    case pb::Control::kWatchedFrom:
+      return check_watched_from(control.watched_from());
+    default:
+      return {};
+  }
 }
 
 Status check_view_half_angle(float angle_rad) {

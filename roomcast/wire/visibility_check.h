@@ -8,9 +8,11 @@
 
 namespace roomcast::wire {
 
-[[nodiscard]] Status check_coarse_depth(const pb::CoarseDepth& depth);
-[[nodiscard]] Status check_unseen_sensors(const pb::UnseenSensors& unseen);
-[[nodiscard]] Status check_frame_demand(const pb::FrameDemand& demand);
+/// Viewers' cones in a WatchedFrom. More viewers than fit are told as none: somebody gets everything.
+inline constexpr int kMaxViewCones = 64;
+
+/// Of CoarseDepth, FrameDemand, UnseenSensors and WatchedFrom; others pass.
+[[nodiscard]] Status check_visibility(const pb::Control& control);
 /// Of a ViewerPose; 0: unknown.
 [[nodiscard]] Status check_view_half_angle(float angle_rad);
 

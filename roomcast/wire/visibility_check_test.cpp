@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/wire/visibility_check.h"
 
+#include <functional>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -72,6 +73,42 @@ TEST(VisibilityCheck, a_share_of_an_uplink_is_a_rate) {
   for (const double mbit : {-1.0, 1001.0, std::numeric_limits<double>::quiet_NaN()}) {
     control.mutable_frame_demand()->set_mbit(mbit);
     EXPECT_FALSE(check_control(control)) << mbit;
+  }
+}
+
+pb::ViewCone& add_cone(pb::Control& control) {
+  pb::ViewCone& cone = *control.mutable_watched_from()->add_cones();
+  cone.mutable_eye()->set_y(-1.5F);
+  cone.mutable_forward()->set_z(1);
+  cone.set_half_angle(0.8F);
+  return cone;
+}
+
+TEST(VisibilityCheck, there_are_a_few_cones_of_view) {
+  pb::Control control;
+  control.mutable_watched_from();
+  EXPECT_TRUE(check_control(control));
+  for (int i = 0; i < kMaxViewCones; ++i) add_cone(control);
+  EXPECT_TRUE(check_control(control));
+  add_cone(control);
+  EXPECT_EQ(check_control(control).error().code, ErrorCode::kTooLarge);
+}
+
+TEST(VisibilityCheck, a_cone_of_view_has_an_eye_a_direction_and_an_angle) {
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  const std::function<void(pb::ViewCone&)> faults[] = {
+      [](auto& cone) { cone.mutable_eye()->set_x(kNone); },
+      [](auto& cone) { cone.mutable_eye()->set_z(2e4F); },
+      [](auto& cone) { cone.clear_forward(); },
+      [](auto& cone) { cone.mutable_forward()->set_y(1); },
+      [](auto& cone) { cone.mutable_forward()->set_x(kNone); },
+      [](auto& cone) { cone.set_half_angle(-0.1F); },
+      [](auto& cone) { cone.set_half_angle(kNone); }};
+  for (const auto& spoil : faults) {
+    pb::Control control;
+    add_cone(control);
+    spoil(add_cone(control));
+    EXPECT_FALSE(check_control(control)) << control.ShortDebugString();
   }
 }
 
