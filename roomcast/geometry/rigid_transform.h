@@ -20,6 +20,10 @@ struct RigidTransform {
   }
   [[nodiscard]] RigidTransform operator*(const RigidTransform& other) const;
   [[nodiscard]] RigidTransform inverse() const;
+  /// Exactly the same numbers.
+  friend bool operator==(const RigidTransform& a, const RigidTransform& b) {
+    return a.rotation == b.rotation && a.translation_m == b.translation_m;
+  }
 };
 
 /// Row-major 4x4, as in rig.json, camera.json and on the wire.
