@@ -219,7 +219,7 @@ inline const std::vector<Layer> kLayers = {
      "core recording/import ros2/dds source/camera",
      "recording/ros"},
     {"sensor/sender",
-     "client client/uplink codec core geometry"},
+     "client client/uplink codec codec/payload core geometry wire"},
     {"sensor",
      "alignment/board alignment/bundle alignment/motion alignment/person "
      "alignment/service client client/voices codec/live core geometry io recording/import "

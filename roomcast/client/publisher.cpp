@@ -24,6 +24,10 @@ Result<std::unique_ptr<Publisher>> Publisher::open(PublisherOptions options) {
 Publisher::Demand Publisher::demand() const {
   return link_->demand();
 }
+
+std::shared_ptr<const wire::pb::WatchedFrom> Publisher::views() const {
+  return link_->views();
+}
 bool Publisher::frames_wanted() const {
   return link_->frames_wanted();
 }

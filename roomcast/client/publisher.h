@@ -41,6 +41,7 @@ struct PublisherOptions {
   std::optional<net::Pace> pace = {};  // of what is sent; nothing: as the network allows
   bool estimate_uplink = false;  // and send at the pace that the line carries; not with `pace`
   bool follows_rate = false;     // it keeps to the rate that the hub gives it: demand()
+  bool takes_views = false;      // it wants to know from where it is looked at: views()
   bool wait_for_hub = false;     // keep trying if there is no hub at first; else open() fails
   /// How this sensor sends, and what an admin's request for other settings goes to, on the
   /// network's thread; nothing: it takes no requests.
@@ -82,6 +83,9 @@ class Publisher {
   [[nodiscard]] Demand demand() const;
   /// Whether anybody receives this sensor's frames. Thread-safe.
   [[nodiscard]] bool frames_wanted() const;
+  /// With `takes_views`: the cones in which this sensor's viewers see, in its depth frame. Null:
+  /// somebody gets everything, or may. Another pointer: they have changed. Thread-safe.
+  [[nodiscard]] std::shared_ptr<const wire::pb::WatchedFrom> views() const;
   /// Sends at most at this pace from now on, on later connections too; nothing: as the network
   /// allows.
   void set_pace(std::optional<double> payload_bytes_per_s);

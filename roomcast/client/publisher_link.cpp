@@ -41,6 +41,7 @@ void Publisher::Link::on_welcome(const wire::pb::Welcome& welcome) {
     shared_.connected = true;
     shared_.want_key = true;
     shared_.demand = {};
+    shared_.views.reset();
     shared_.may_speak = welcome.may_speak();
     shared_.wanted_sightings.Clear();
     shared_.clock.reset();
@@ -61,6 +62,11 @@ void Publisher::Link::on_control(const wire::pb::Control& message) {
     if (message.has_key_request()) shared_.want_key = true;
     if (message.has_sighting_request()) shared_.wanted_sightings = message.sighting_request();
     if (message.has_depth_scale()) shared_.depth_scale = message.depth_scale().factor();
+    if (message.has_watched_from() && options_.takes_views && !options_.send_unwatched) {
+      const bool is_any = message.watched_from().cones_size() > 0;
+      shared_.views =
+          is_any ? std::make_shared<wire::pb::WatchedFrom>(message.watched_from()) : nullptr;
+    }
     if (!message.has_frame_demand()) return;
     const bool was_wanted = shared_.frames_wanted();
     shared_.demand = demand_from(message.frame_demand(), options_.send_unwatched);

@@ -62,6 +62,10 @@ class Publisher::Link final : public HubLinkEvents {
     std::lock_guard lock(mutex_);
     return shared_.demand;
   }
+  std::shared_ptr<const wire::pb::WatchedFrom> views() const {
+    std::lock_guard lock(mutex_);
+    return shared_.views;
+  }
   bool frames_wanted() const {
     std::lock_guard lock(mutex_);
     return shared_.frames_wanted();
@@ -177,6 +181,7 @@ class Publisher::Link final : public HubLinkEvents {
     bool connected = false;
     bool want_key = false;
     Demand demand;
+    std::shared_ptr<const wire::pb::WatchedFrom> views;  // null: everything is seen
     bool may_speak = false;
     wire::pb::SightingRequest wanted_sightings;
     std::optional<double> depth_scale;

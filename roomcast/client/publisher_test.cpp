@@ -24,6 +24,7 @@ class PublisherTest : public testing::Test {
     PublisherOptions options;
     options.hub_url = hub.url();
     options.name = "left";
+    options.takes_views = true;
     options.calibration.depth = {.width = 64, .height = 48, .fx = 60, .fy = 60, .cx = 32, .cy = 24};
     options.calibration.color = options.calibration.depth;
     auto opened = Publisher::open(options);
@@ -195,6 +196,41 @@ TEST_F(PublisherTest, who_begins_to_watch_gets_a_key_frame_at_once) {
   ASSERT_EQ(waiting.wait_for(5s), std::future_status::ready);
   EXPECT_TRUE(publisher->frames_wanted());
   EXPECT_TRUE(wait_for_turn().want_key);
+}
+
+TEST_F(PublisherTest, it_is_known_from_where_the_sensor_is_looked_at_while_there_is_a_connection) {
+  EXPECT_TRUE(ask_hub([](FakeHub& h) { return h.heard[0].join().sensor().takes_views(); }));
+  EXPECT_EQ(publisher->views(), nullptr);
+  const auto say_cones = [&](int cones) {
+    ask_hub([cones](FakeHub& h) {
+      wire::pb::Control control;
+      control.mutable_watched_from();
+      for (int i = 0; i < cones; ++i)
+        control.mutable_watched_from()->add_cones()->mutable_forward()->set_z(1);
+      h.say(control);
+      return 0;
+    });
+  };
+  const auto views_come = [&](int cones) {
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    for (;;) {
+      const auto views = publisher->views();
+      if ((views ? views->cones_size() : 0) == cones) return true;
+      if (std::chrono::steady_clock::now() > give_up) return false;
+      std::this_thread::yield();
+    }
+  };
+  say_cones(2);
+  EXPECT_TRUE(views_come(2));
+  say_cones(0);
+  EXPECT_TRUE(views_come(0));
+  say_cones(1);
+  EXPECT_TRUE(views_come(1));
+  ask_hub([](FakeHub& h) {
+    h.hang_up();
+    return 0;
+  });
+  EXPECT_TRUE(views_come(0));
 }
 
 TEST_F(PublisherTest, a_stop_ends_the_wait_for_a_viewer) {

@@ -17,6 +17,7 @@ wire::pb::Join join_message(const PublisherOptions& options) {
   if (options.world_from_depth)
     wire::write_transform(*options.world_from_depth, *sensor.mutable_world_from_depth());
   sensor.set_follows_rate(options.follows_rate);
+  sensor.set_takes_views(options.takes_views);
   if (options.settings) *sensor.mutable_settings() = *options.settings;
   return join;
 }

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "roomcast/codec/payload/block_need.h"
 #include "roomcast/codec/payload/encoder_options.h"
 #include "roomcast/codec/payload/frame_quality.h"
 #include "roomcast/core/image.h"
@@ -48,6 +49,11 @@ class FrameEncoder {
 
   /// As FrameEncoderOptions::key_interval_s, from the next frame on.
   virtual void set_key_interval(double seconds) = 0;
+
+  /// What is needed of each block, from the next frame on: need_blocks() of the depth grid's width
+  /// and height; an empty view: all of everything. In live mode; other modes have everything in
+  /// each frame. kInvalidArgument: another size.
+  [[nodiscard]] virtual Status set_needs(BlockNeedsView needs) = 0;
 
   /// Depth of the newest frame as decoders will show it. Valid until the next call, and only as
   /// long as the encoded picture exists.

@@ -85,6 +85,19 @@ class SectionFrameEncoder final : public FrameEncoder {
     schedule_.set_key_interval(key_interval(seconds, options_.fps));
   }
 
+  [[nodiscard]] Status set_needs(BlockNeedsView needs) override {
+    const int wide = need_blocks(options_.width), high = need_blocks(options_.height);
+    if (needs.data == nullptr) {
+      needs_.resize(0, 0);
+      return {};
+    }
+    if (needs.width != wide || needs.height != high)
+      return invalid_argument("The needs must be those of each block of the depth picture.");
+    if (needs_.empty()) needs_.resize(wide, high);
+    for (int y = 0; y < high; ++y) std::copy_n(needs.row(y), wide, needs_.view().row(y));
+    return {};
+  }
+
   [[nodiscard]] DepthView decoded_depth() const override {
     switch (mode_) {
       case DepthMode::kLive:
@@ -146,7 +159,7 @@ class SectionFrameEncoder final : public FrameEncoder {
     const std::size_t section = begin_section(SectionKind::kDepth, depth_codec(), out);
     switch (mode_) {
       case DepthMode::kLive:
-        live_->encode(depth_mm, role, out);
+        live_->encode(depth_mm, role, out, needs());
         break;
       case DepthMode::kNearLossless:
         intra_.encode_near_lossless(depth_mm, bound_mm(), out);
@@ -156,6 +169,10 @@ class SectionFrameEncoder final : public FrameEncoder {
         break;
     }
     end_section(section, out);
+  }
+  [[nodiscard]] BlockNeedsView needs() const {
+    if (needs_.empty() || mode_ != DepthMode::kLive) return {};
+    return needs_;
   }
   [[nodiscard]] int bound_mm() const {
     return options_.depth_mode == DepthMode::kLive ? kMovingSensorBound_mm
@@ -194,7 +211,7 @@ class SectionFrameEncoder final : public FrameEncoder {
     std::size_t section = begin_section(SectionKind::kColor, kVp9Color, out);
     const DepthView shown_mm = mode_ == DepthMode::kLive ? live_->shown_mm() : depth_mm;
     color_validity_.update(depth_mm, shown_mm, seen);
-    Status status = color_->encode(color, color_validity_.colored(), role, out);
+    Status status = color_->encode(color, color_validity_.colored(), role, out, needs());
     if (!status.ok()) return status;
     end_section(section, out);
     section = begin_section(SectionKind::kColorMask, role.key ? kIntraMask : kMaskChange, out);
@@ -226,6 +243,7 @@ class SectionFrameEncoder final : public FrameEncoder {
   ColorValidity color_validity_;
   SteadyMask steady_;  // in live mode
   ColorMaskEncoder mask_;
+  BlockNeeds needs_;            // empty: all of everything
   DepthView input_depth_;       // of the newest frame; not owned
   bool color_started_ = false;  // since the last key frame
 };

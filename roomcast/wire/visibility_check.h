@@ -8,8 +8,9 @@
 
 namespace roomcast::wire {
 
-/// Viewers' cones in a WatchedFrom. More viewers than fit are told as none: somebody gets everything.
-inline constexpr int kMaxViewCones = 64;
+/// Viewers' cones in a WatchedFrom. More viewers than fit are told as none: somebody gets
+/// everything.
+inline constexpr int kMaxViewCones = 48;
 
 /// Of CoarseDepth, FrameDemand, UnseenSensors and WatchedFrom; others pass.
 [[nodiscard]] Status check_visibility(const pb::Control& control);

@@ -22,19 +22,27 @@ bool any_changed(MaskView changed, int block_x, int block_y) {
 
 }  // namespace
 
-MaskView ColorActivity::update(MaskView changed, FrameRole role) {
+MaskView ColorActivity::update(MaskView changed, FrameRole role, MaskView left_out) {
   const int wide = (changed.width + 1) / 2, high = (changed.height + 1) / 2;
   if (active_.empty()) {
     active_.resize(wide, high, 1);
     improvements_left_.resize(wide, high, 0);
+    owed_.resize(wide, high, 0);
   }
   if (role.layer == 0) improve_next_band();
   for (int y = 0; y < high; ++y) {
     for (int x = 0; x < wide; ++x) {
-      const bool fresh = role.key || any_changed(changed, x, y);
+      std::uint8_t& owed = owed_.at(x, y);
+      const bool fresh = role.key || owed != 0 || any_changed(changed, x, y);
       std::uint8_t& left = improvements_left_.at(x, y);
       active_.at(x, y) = fresh || (role.layer == 0 && left > 0);
+      if (left_out.data != nullptr && left_out.at(x, y) && !role.key) {
+        if (role.layer == 0) owed = fresh;
+        active_.at(x, y) = 0;
+        continue;
+      }
       if (role.layer > 0) continue;
+      owed = 0;
       if (fresh) {
         left = kImprovements;
       } else if (left > 0) {

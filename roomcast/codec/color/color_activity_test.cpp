@@ -84,5 +84,40 @@ TEST(ColorActivity, still_blocks_are_improved_band_by_band) {
   EXPECT_FALSE(activity.is_improving());
 }
 
+TEST(ColorActivity, what_nobody_needs_is_left_out_and_owed) {
+  ColorActivity activity;
+  activity.update(kNothing, kKey);
+  come_to_rest(activity);
+  const MaskImage corner = changed_at(4, 2);
+  MaskImage left_out(3, 2, 0);
+  left_out.at(2, 1) = 1;
+  EXPECT_EQ(count(activity.update(corner, kBase, left_out)), 0);
+  EXPECT_EQ(count(activity.update(kNothing, kUpper, left_out)), 0);
+  EXPECT_EQ(count(activity.update(kNothing, kBase, left_out)), 0);
+  EXPECT_EQ(count(activity.update(kNothing, kUpper)), 1) << "it is needed again";
+  EXPECT_EQ(count(activity.update(kNothing, kBase)), 1) << "the upper layer left no trace";
+  EXPECT_EQ(count(activity.update(kNothing, kUpper)), 0);
+  EXPECT_EQ(count(activity.update(kNothing, kBase)), 1) << "as any change, it is improved";
+}
+
+TEST(ColorActivity, a_change_in_an_upper_layer_alone_is_not_owed) {
+  ColorActivity activity;
+  activity.update(kNothing, kKey);
+  come_to_rest(activity);
+  const MaskImage all(3, 2, 1);
+  EXPECT_EQ(count(activity.update(changed_at(0, 0), kUpper, all)), 0);
+  EXPECT_EQ(count(activity.update(kNothing, kBase)), 0);
+}
+
+TEST(ColorActivity, a_key_frame_leaves_nothing_out_and_pays_what_is_owed) {
+  ColorActivity activity;
+  activity.update(kNothing, kKey);
+  come_to_rest(activity);
+  const MaskImage all(3, 2, 1);
+  activity.update(changed_at(0, 0), kBase, all);
+  EXPECT_EQ(count(activity.update(kNothing, kKey, all)), 6);
+  EXPECT_EQ(count(activity.update(kNothing, kUpper)), 0);
+}
+
 }  // namespace
 }  // namespace roomcast::codec

@@ -116,7 +116,7 @@ Difference difference(const Image<std::uint8_t>& luma, const Image<std::int16_t>
 
 }  // namespace
 
-I420Image& TemporalDenoiser::apply(const I420Image& input, bool reference) {
+I420Image& TemporalDenoiser::apply(const I420Image& input, bool reference, MaskView left_out) {
   if (shown_.y.empty()) {
     begin(input);
     return shown_;
@@ -126,9 +126,11 @@ I420Image& TemporalDenoiser::apply(const I420Image& input, bool reference) {
   measure_noise(input.y);
   for (int block_y = 0; block_y < blocks_.height(); ++block_y) {
     for (int block_x = 0; block_x < blocks_.width(); ++block_x) {
+      const bool is_left_out =
+          left_out.data != nullptr && left_out.at(block_x / 2, block_y / 2) != 0;
       if (is_still(input.y, block_x, block_y)) {
-        hold_block(input, block_x, block_y, reference);
-      } else {
+        hold_block(input, block_x, block_y, reference && !is_left_out);
+      } else if (!is_left_out) {
         pass_block(input, block_x, block_y);
       }
     }

@@ -17,8 +17,10 @@ class TemporalDenoiser {
  public:
   /// Returns the picture to encode instead of `input`; valid until the next call. Always the same
   /// size. Still blocks improve only in `reference` frames, or the next reference would code the
-  /// change again.
-  I420Image& apply(const I420Image& input, bool reference);
+  /// change again. `left_out` is not 0 for the 16x16 pixels that the frame does not code: they stay
+  /// as they are shown, and have changed once they are coded again. libvpx codes some of them
+  /// anyway, in turn, to refresh still parts. Empty: none.
+  I420Image& apply(const I420Image& input, bool reference, MaskView left_out = {});
 
   /// One entry for each 8x8 pixels, 1 where the picture differs from the newest reference; valid
   /// until the next call.

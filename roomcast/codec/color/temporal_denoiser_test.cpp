@@ -119,5 +119,20 @@ TEST(TemporalDenoiser, the_first_picture_passes_as_it_is) {
   EXPECT_EQ(hold.apply(first, true).y, first.y);
 }
 
+TEST(TemporalDenoiser, what_is_left_out_stays_until_it_is_coded_again) {
+  TemporalDenoiser hold;
+  for (int i = 0; i < 30; ++i) (void)hold.apply(grey(120), true);
+  MaskImage left_out(4, 3, 0);
+  left_out.at(1, 1) = 1;
+  for (int i = 0; i < 4; ++i) {
+    const I420Image& shown = hold.apply(grey(180), true, left_out);
+    EXPECT_EQ(shown.y.at(20, 20), 120);
+    EXPECT_EQ(shown.y.at(40, 20), 180);
+    EXPECT_EQ(hold.changed().at(2, 2), 0);
+  }
+  EXPECT_EQ(hold.apply(grey(180), true).y.at(20, 20), 180);
+  EXPECT_NE(hold.changed().at(2, 2), 0);
+}
+
 }  // namespace
 }  // namespace roomcast::codec

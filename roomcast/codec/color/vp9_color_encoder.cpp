@@ -145,7 +145,7 @@ Result<std::unique_ptr<Vp9ColorEncoder>> Vp9ColorEncoder::create(
 }
 
 Status Vp9ColorEncoder::encode(ColorView color, MaskView seen, FrameRole role,
-                               std::vector<std::uint8_t>& out) {
+                               std::vector<std::uint8_t>& out, BlockNeedsView needs) {
   repeat_pixels(seen, options_.color_scale, seen_);
   convert_seen(color, seen_, input_);
   remember_seen();
@@ -160,8 +160,9 @@ Status Vp9ColorEncoder::encode(ColorView color, MaskView seen, FrameRole role,
   if (!limit_quantizer(role)) {
     return Error{ErrorCode::kUnavailable, "libvpx refused a limit of the colour quantiser."};
   }
-  const vpx_image_t image = wrap(hold_.apply(input_, !droppable));
-  set_active(activity_.update(hold_.changed(), role));
+  const MaskView without = left_out(needs, role);
+  const vpx_image_t image = wrap(hold_.apply(input_, !droppable, without));
+  set_active(activity_.update(hold_.changed(), role, without));
   if (vpx_codec_encode(&codec_->context, &image, frame_count_++, 1, flags, VPX_DL_REALTIME) !=
       VPX_CODEC_OK) {
     return Error{ErrorCode::kUnavailable, "libvpx failed to encode a colour picture."};
@@ -236,6 +237,22 @@ void Vp9ColorEncoder::set_active(MaskView active) {
   vpx_active_map_t map{const_cast<std::uint8_t*>(active.data), static_cast<unsigned>(active.height),
                        static_cast<unsigned>(active.width)};
   vpx_codec_control(&codec_->context, VP8E_SET_ACTIVEMAP, &map);
+}
+
+/// A block of colour is left out if all of depth's are that it covers.
+MaskView Vp9ColorEncoder::left_out(BlockNeedsView needs, FrameRole role) {
+  if (needs.data == nullptr) return {};
+  const int side = ColorActivity::kSide / (kNeedSide * options_.color_scale);  // 2, or 1
+  const int wide = (input_.y.width() + ColorActivity::kSide - 1) / ColorActivity::kSide;
+  const int high = (input_.y.height() + ColorActivity::kSide - 1) / ColorActivity::kSide;
+  left_out_.resize(wide, high, 1);
+  for (int y = 0; y < std::min(needs.height, high * side); ++y) {
+    const BlockNeed* const row = needs.row(y);
+    for (int x = 0; x < std::min(needs.width, wide * side); ++x) {
+      if (!leaves_out_color(row[x], role)) left_out_.at(x / side, y / side) = 0;
+    }
+  }
+  return left_out_;
 }
 
 void Vp9ColorEncoder::remember_seen() {

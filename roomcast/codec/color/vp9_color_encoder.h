@@ -13,6 +13,7 @@
 #include "roomcast/codec/color/hole_fill.h"
 #include "roomcast/codec/color/i420_image.h"
 #include "roomcast/codec/color/temporal_denoiser.h"
+#include "roomcast/codec/payload/block_need.h"
 #include "roomcast/codec/payload/encoder_options.h"
 #include "roomcast/codec/payload/layer_schedule.h"
 
@@ -26,9 +27,9 @@ class Vp9ColorEncoder {
 
   /// Appends one VP9 frame to `out`. Sizes must be those of the options; `seen` is in the depth
   /// grid. The first frame's role is a key frame's; frames of layer 1 and up change no decoder
-  /// state.
+  /// state. `needs`, in the depth grid, says which blocks are needed; empty: all.
   [[nodiscard]] Status encode(ColorView color, MaskView seen, FrameRole role,
-                              std::vector<std::uint8_t>& out);
+                              std::vector<std::uint8_t>& out, BlockNeedsView needs = {});
 
   /// Fixes the quantiser of the next frames, 0 to 63; the rate then has no effect. Nothing: libvpx
   /// chooses it by the rate.
@@ -49,13 +50,15 @@ class Vp9ColorEncoder {
   void set_layer(bool droppable);
   void take_packets(std::vector<std::uint8_t>& out);
   void set_active(MaskView active);
+  [[nodiscard]] MaskView left_out(BlockNeedsView needs, FrameRole role);
 
   FrameEncoderOptions options_;
   std::unique_ptr<Codec> codec_;
   I420Image input_;
   TemporalDenoiser hold_;
   ColorActivity activity_;
-  MaskImage seen_;  // mask of the newest frame, in colour's size
+  MaskImage left_out_;  // of each 16x16 pixels, 1 where the frame leaves them out
+  MaskImage seen_;      // mask of the newest frame, in colour's size
   MaskImage ever_seen_, chroma_ever_seen_;
   HoleFill hole_fill_;
   std::int64_t frame_count_ = 0;

@@ -41,7 +41,8 @@ LiveDepthEncoder::LiveDepthEncoder(const LiveDepthOptions& options)
   old_picture_.resize(pixels);
 }
 
-void LiveDepthEncoder::encode(DepthView depth_mm, FrameRole role, std::vector<std::uint8_t>& out) {
+void LiveDepthEncoder::encode(DepthView depth_mm, FrameRole role, std::vector<std::uint8_t>& out,
+                              BlockNeedsView needs) {
   noise_.observe(depth_mm);
   LiveSectionHead head;
   head.key = role.key || !started_;
@@ -63,7 +64,8 @@ void LiveDepthEncoder::encode(DepthView depth_mm, FrameRole role, std::vector<st
     analysis_.take_reading(depth_mm, state_.domain, change_);
   }
   analysis_.compare(state_, history_, change_);
-  const std::uint32_t hash = encode_changes(writer, head.reference);
+  const FrameRole coded_role{head.key, head.reference ? std::uint8_t{0} : role.layer};
+  const std::uint32_t hash = encode_changes(writer, coded_role, needs);
   writer.finish();
   write_u32(&out[begin + kLiveHashOffset], hash);
   shown_is_reference_ = head.reference;
@@ -155,7 +157,9 @@ void LiveDepthEncoder::follow_new_reference() {
   for (std::size_t block = 0; block < state_.grid.block_count(); ++block) drift_.reset(block);
 }
 
-std::uint32_t LiveDepthEncoder::encode_changes(LiveWriter& writer, bool reference) {
+std::uint32_t LiveDepthEncoder::encode_changes(LiveWriter& writer, FrameRole role,
+                                               BlockNeedsView needs) {
+  const bool reference = role.layer == 0;
   if (!reference) {
     non_reference_contexts_ = state_.contexts;
     scratch_.shown_mm = state_.picture_mm;
@@ -164,7 +168,14 @@ std::uint32_t LiveDepthEncoder::encode_changes(LiveWriter& writer, bool referenc
   planner_.begin_frame(reference);
   Pass pass(state_, scratch_, reference ? state_.contexts : non_reference_contexts_, writer,
             options_.step, reference, scratch_.shown_mm.data());
-  state_.grid.for_each_block([&](const BlockView& here) { encode_block(pass, here, reference); });
+  const std::size_t blocks = needs.data == nullptr ? 0 : state_.grid.block_count();
+  state_.grid.for_each_block([&](const BlockView& here) {
+    if (here.index() < blocks && leaves_out_depth(needs.data[here.index()], role)) {
+      code_.mode = BlockMode::kSkip;
+      return pass.block(here, code_);
+    }
+    encode_block(pass, here, reference);
+  });
   pass.finish();
   return pass.hash();
 }

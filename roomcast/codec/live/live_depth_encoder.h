@@ -14,6 +14,7 @@
 #include "roomcast/codec/live/picture_pass.h"
 #include "roomcast/codec/live/pixel_history.h"
 #include "roomcast/codec/live/sensor_noise.h"
+#include "roomcast/codec/payload/block_need.h"
 #include "roomcast/codec/payload/layer_schedule.h"
 #include "roomcast/core/image.h"
 
@@ -32,8 +33,10 @@ class LiveDepthEncoder {
   explicit LiveDepthEncoder(const LiveDepthOptions& options);
 
   /// Appends a section's bytes. `depth_mm` has the size of the options. The first frame's role is a
-  /// key frame's; frames of layer 1 and up are not references.
-  void encode(DepthView depth_mm, FrameRole role, std::vector<std::uint8_t>& out);
+  /// key frame's; frames of layer 1 and up are not references. `needs` has one entry for each
+  /// block; empty: all of everything.
+  void encode(DepthView depth_mm, FrameRole role, std::vector<std::uint8_t>& out,
+              BlockNeedsView needs = {});
 
   /// Sets the quantisers from the next frame on, in levels; LiveDepthOptions.
   void set_steps(int step, int key_step);
@@ -48,7 +51,7 @@ class LiveDepthEncoder {
   void begin_anew(const SigmaCodes& sigma);
   void choose_background_target();
   void encode_background_block(Pass& pass, const BlockView& here);
-  std::uint32_t encode_changes(LiveWriter& writer, bool reference);
+  std::uint32_t encode_changes(LiveWriter& writer, FrameRole role, BlockNeedsView needs);
   void encode_block(Pass& pass, const BlockView& here, bool reference);
   void prepare_surfaces(const Pass& pass, const BlockView& here, int step);
   void follow_new_reference();

@@ -81,6 +81,7 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
       if (viewer == viewers_.end()) break;
       poses_.set(viewer->second.id, message.viewer_pose(), now);
       culling_.viewer_moved(from, message.viewer_pose(), now);
+      views_.expect_change(now);
       return out;
     case pb::Control::kPeopleHere:
       if (!may_report_people(from)) break;
@@ -183,6 +184,7 @@ RoomActions Room::tick(RoomTime now) {
   cull(now, out);
   if (roster_changed_ && now >= next_roster_) send_roster(now, out);
   tell_demands_when_due(now, out);
+  tell_views(now, out);
   return out;
 }
 
@@ -198,6 +200,7 @@ std::optional<RoomTime> Room::next_tick() const {
   consider(voices_.next());
   consider(playback_.next());
   consider(culling_.next());
+  consider(views_.next());
   consider(demand_.next());
   consider(uplink_.next());
   if (roster_changed_) consider(next_roster_);
@@ -210,6 +213,7 @@ std::optional<RoomTime> Room::next_tick() const {
 void Room::send_roster(RoomTime now, RoomActions& out) {
   place_unplaced_in_row();
   for (RoomSensor& sensor : sensors_.all()) follow_surface(sensor);
+  views_.expect_change(now);
   const bool people_changed = std::exchange(roster_changed_, false);
   if (viewers_.empty() && aligners_.empty()) return;
   next_roster_ = now + wire::kRosterInterval;

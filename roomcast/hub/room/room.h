@@ -32,6 +32,7 @@
 #include "roomcast/hub/room/start_pose.h"
 #include "roomcast/hub/room/uplink_share.h"
 #include "roomcast/hub/room/voice_relay.h"
+#include "roomcast/hub/visibility/told_views.h"
 #include "roomcast/hub/visibility/view_culling.h"
 #include "roomcast/net/message_buffer.h"
 #include "roomcast/wire/audio_header.h"
@@ -179,6 +180,7 @@ class Room {
   void send_closed_sets(RoomTime now, RoomActions& out);
   void follow_surface(RoomSensor& sensor);
   void cull(RoomTime now, RoomActions& out);
+  void tell_views(RoomTime now, RoomActions& out);
   void send_roster(RoomTime now, RoomActions& out);
   void place_unplaced_in_row();
   bool send_roster_when_due(RoomTime now, RoomActions& out);
@@ -205,6 +207,7 @@ class Room {
   VoiceRelay voices_;
   PlaybackVoices playback_;
   ViewCulling culling_;
+  ToldViews views_;
   std::set<std::string> muted_tokens_;
   MarkList marks_;
   std::optional<ViewerId> guide_;  // who shows everybody around

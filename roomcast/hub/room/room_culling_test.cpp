@@ -181,5 +181,58 @@ TEST_F(RoomTest, only_sensors_tell_of_depth) {
   EXPECT_EQ(all<Disconnect>(room.control(viewer, sees_a_wall(), at(1s))).size(), 1U);
 }
 
+pb::Join sensor_that_takes_views() {
+  pb::Join join = sensor_with_lens("left");
+  join.mutable_sensor()->set_takes_views(true);
+  return join;
+}
+
+std::vector<SendControl> watched_from(const RoomActions& actions) {
+  return messages(actions, pb::Control::kWatchedFrom);
+}
+
+TEST_F(RoomTest, a_sensor_that_takes_views_is_told_from_where_it_is_looked_at) {
+  const auto sensor = enter(sensor_that_takes_views());
+  (void)enter(sensor_with_lens("earlier"));
+  const auto viewer = enter(viewer_join());
+  EXPECT_THAT(watched_from(run_room(room, 1s)), IsEmpty()) << "nobody has told where he looks";
+  (void)room.control(viewer, looks_at_the_wall(true), at(1s));
+  const auto told = watched_from(run_room(room, 2s));
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_THAT(told[0].to, ElementsAre(sensor));
+  ASSERT_EQ(told[0].message.watched_from().cones_size(), 1);
+  const pb::ViewCone& cone = told[0].message.watched_from().cones(0);
+  EXPECT_NEAR(cone.eye().x(), 0, 1e-5) << "where the sensor is";
+  EXPECT_NEAR(cone.forward().z(), 1, 1e-5);
+  EXPECT_GT(cone.half_angle(), 0.7F);
+  EXPECT_LT(cone.half_angle(), 0.9F);
+}
+
+TEST_F(RoomTest, a_sensor_is_told_at_once_when_somebody_gets_everything) {
+  (void)enter(sensor_that_takes_views());
+  const auto viewer = enter(viewer_join());
+  (void)room.control(viewer, looks_at_the_wall(true), at(1s));
+  ASSERT_EQ(watched_from(run_room(room, 2s)).size(), 1U);
+  const auto recorder = enter(viewer_join("recorder"), 2s);
+  ASSERT_EQ(watched_from(actions).size(), 1U);
+  EXPECT_EQ(watched_from(actions)[0].message.watched_from().cones_size(), 0);
+  const auto again = watched_from(room.leave(recorder, at(3s)));
+  ASSERT_EQ(again.size(), 1U);
+  EXPECT_EQ(again[0].message.watched_from().cones_size(), 1);
+}
+
+TEST_F(RoomTest, a_moved_sensor_is_not_told_from_where_it_is_looked_at) {
+  const auto sensor = enter(sensor_that_takes_views());
+  const auto viewer = enter(viewer_join());
+  (void)room.control(viewer, looks_at_the_wall(true), at(1s));
+  ASSERT_EQ(watched_from(run_room(room, 2s)).size(), 1U);
+  pb::Control moved;
+  moved.mutable_sensor_moved();
+  (void)room.control(sensor, moved, at(2s));
+  const auto told = watched_from(run_room(room, 3s));
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].message.watched_from().cones_size(), 0);
+}
+
 }  // namespace
 }  // namespace roomcast::hub

@@ -81,6 +81,8 @@ void Room::share_uplink(RoomTime now) {
 void Room::update_demand(RoomTime now, RoomActions& out) {
   demand_.update(is_watched(), now);
   tell_demands(now, out);
+  views_.expect_change(now);
+  tell_views(now, out);
 }
 
 void Room::tell_demands_when_due(RoomTime now, RoomActions& out) {
@@ -110,6 +112,24 @@ void Room::tell_demands(RoomTime now, RoomActions& out) {
     news.push_back({{*sensor.connection}, std::move(message)});
   }
   std::ranges::move(news, std::back_inserter(out));
+}
+
+/// Tells the sensors of this hub from where they are looked at.
+void Room::tell_views(RoomTime now, RoomActions& out) {
+  std::vector<ViewTaker> takers;
+  for (const RoomSensor& sensor : sensors_.all()) {
+    const bool is_placed = sensor.pose.is_placed() && !sensor.pose.is_moved();
+    if (is_told(sensor) && is_placed && sensor.description.takes_views())
+      takers.push_back({sensor.id, sensor.pose.world_from_depth});
+  }
+  const auto cones = wants_all() ? std::vector<ViewCone>() : culling_.cones(now);
+  for (auto& [id, watched] : views_.update(cones, takers, now)) {
+    const RoomSensor* const sensor = sensors_.find(id);
+    if (sensor == nullptr || !is_told(*sensor)) continue;
+    pb::Control message;
+    *message.mutable_watched_from() = std::move(watched);
+    out.push_back(SendControl{{*sensor->connection}, std::move(message)});
+  }
 }
 
 }  // namespace roomcast::hub

@@ -113,6 +113,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   sensor->told = sensor->wanted = {};
   sensor->told.set_wanted(true);  // as a sensor assumes until it is told otherwise
   sensor->told_depth_scale = 1;
+  views_.forget_sensor(sensor->id);
   tell_depth_scale(*sensor, out);
   if (wire::wants_any(wanted_sightings_)) {
     pb::Control request;

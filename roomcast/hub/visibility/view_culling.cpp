@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "roomcast/wire/limits.h"
+
 namespace roomcast::hub {
 
 void ViewCulling::set_surface(SensorId sensor, SeenSurface surface) {
@@ -138,6 +140,28 @@ Detail ViewCulling::next_detail(Need& need, Detail needed, Viewer& viewer, RoomT
     return need.detail = Detail::kBaseOnly;
   }
   return need.detail = Detail::kPaused;
+}
+
+std::vector<ViewCone> ViewCulling::cones(RoomTime now) const {
+  // Nearer to another one, a cone adds nothing.
+  constexpr float kSamePlace_m = 0.02F, kSameWay_rad = 0.02F;
+  std::vector<ViewCone> cones;
+  for (const auto& [id, viewer] : viewers_) {
+    if (viewer.half_angle_rad == 0) return {};
+    const float half_angle =
+        std::min(wire::kMaxViewHalfAngle_rad, viewer.half_angle_rad + options_.beside_told_rad);
+    const std::size_t first = cones.size();
+    for (const int halves : {0, 1, 2}) {
+      const auto head = viewer.head.at(now + options_.look_ahead * halves / 2, now);
+      const bool is_told = std::any_of(cones.begin() + static_cast<std::ptrdiff_t>(first),
+                                       cones.end(), [&](const auto& cone) {
+                                         return (cone.eye_m - head.at_m).norm() < kSamePlace_m &&
+                                                (cone.forward - head.forward).norm() < kSameWay_rad;
+                                       });
+      if (!is_told) cones.push_back({head.at_m, head.forward, half_angle});
+    }
+  }
+  return cones;
 }
 
 std::vector<ViewCone> ViewCulling::views_of(const Viewer& viewer, RoomTime now) const {

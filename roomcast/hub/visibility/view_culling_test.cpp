@@ -145,5 +145,26 @@ TEST_F(ViewCullingTest, a_head_that_jumps_is_looked_at_ten_times_a_second_at_mos
   EXPECT_LE(changes, 100);
 }
 
+TEST_F(ViewCullingTest, a_head_at_rest_has_one_cone_and_a_turning_one_has_more_ahead) {
+  EXPECT_TRUE(culling.cones(cull_time(0s)).empty()) << "nobody has told where he looks";
+  culling.viewer_moved(kAda, looking(0), cull_time(0s));
+  ASSERT_EQ(culling.cones(cull_time(1s)).size(), 1U);
+  EXPECT_GT(culling.cones(cull_time(1s))[0].half_angle_rad, 0.7F);
+  culling.viewer_moved(kAda, looking(0), cull_time(2s));
+  culling.viewer_moved(kAda, looking(0.1F), cull_time(2050ms));
+  const auto turning = culling.cones(cull_time(2050ms));
+  ASSERT_EQ(turning.size(), 3U);
+  EXPECT_LT(turning[1].forward.x(), turning[0].forward.x());
+  EXPECT_LT(turning[2].forward.x(), turning[1].forward.x());
+}
+
+TEST_F(ViewCullingTest, there_are_no_cones_while_somebody_gets_everything) {
+  culling.viewer_moved(kAda, looking(0), cull_time(0s));
+  culling.viewer_moved(kBob, looking(kBehind), cull_time(0s));
+  EXPECT_EQ(culling.cones(cull_time(1s)).size(), 2U);
+  culling.viewer_moved(kBob, looking(kBehind, 0), cull_time(1s));
+  EXPECT_TRUE(culling.cones(cull_time(1s)).empty());
+}
+
 }  // namespace
 }  // namespace roomcast::hub

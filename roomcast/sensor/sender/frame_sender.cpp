@@ -13,6 +13,9 @@ namespace {
 
 /// RateControl asks for key frames earlier.
 constexpr double kKeyIntervalWithTarget_s = 3600;
+/// While all viewers tell where they look. They are here to stay: newcomers get a key frame of
+/// their own, and nobody records, who would search for them.
+constexpr double kKeyIntervalWatched_s = 30;
 /// Less waits where the line is estimated: its pace leaves time between frames anyway.
 constexpr double kReserveOnLine_s = 0.02;
 
@@ -81,10 +84,16 @@ Result<std::unique_ptr<FrameSender>> FrameSender::open(client::PublisherOptions 
   auto encoder = codec::FrameEncoder::create(encoding);
   if (!encoder) return encoder.error();
   options.follows_rate = options.follows_rate && codec.depth_mode == codec::DepthMode::kLive;
+  options.takes_views = codec.depth_mode == codec::DepthMode::kLive;
   std::unique_ptr<FrameSender> sender(new FrameSender(std::move(*registration), std::move(*encoder),
                                                       codec, options.fps,
                                                       rate_control(codec, options)));
   sender->follows_rate_ = options.follows_rate;
+  if (options.takes_views) {
+    sender->watched_.emplace(
+        options.calibration.depth,
+        WatchedBlocksOptions{.references_per_s = options.fps / (1 << (codec.layers - 1))});
+  }
   auto publisher = client::Publisher::open(std::move(options));
   if (!publisher) return publisher.error();
   sender->publisher_ = std::move(*publisher);
@@ -111,11 +120,13 @@ Result<std::optional<client::Publisher::Published>> FrameSender::send(DepthView 
   follow_network(turn->rate_share);
   if (plan) encoder_->set_target(share_of(plan->target, turn->rate_share));
   if (auto status = register_color(depth_mm, color); !status) return status.error();
+  if (auto status = follow_views(depth_mm); !status) return status.error();
   auto message = client::Publisher::begin_frame();
   const bool want_key = turn->want_key || (plan && plan->wants_key);
   const auto info =
       encoder_->encode(depth_mm, registered_.color, known_colors(), want_key, message.appendable());
   if (!info) return info.error();
+  has_encoded_ = true;
   const std::size_t bytes = message.payload().size();
   const bool fits = client::Publisher::fits(message);
   if (rate_) rate_->sent(bytes, *info);
@@ -144,10 +155,9 @@ void FrameSender::follow_room_rate() {
   const double own = codec_.target_mbit_per_s;
   const double mbit =
       demand_.mbit > 0 && own > 0 ? std::min(own, demand_.mbit) : std::max(own, demand_.mbit);
-  encoder_->set_key_interval(mbit > 0 ? kKeyIntervalWithTarget_s
-                                      : codec::FrameEncoderOptions().key_interval_s);
   if (mbit <= 0) {
     rate_.reset();
+    choose_key_interval();
     encoder_->set_target({});
     return publisher_->set_pace(std::nullopt);
   }
@@ -157,12 +167,33 @@ void FrameSender::follow_room_rate() {
   } else {
     rate_.emplace(RateControl::Options{.bytes_per_s = bytes_per_s, .fps = fps_});
   }
+  choose_key_interval();
   publisher_->set_pace(RateControl::kPaceMargin * bytes_per_s);
 }
 
 double FrameSender::room_bytes_per_s() const {
   if (!follows_rate_ || demand_.mbit <= 0) return std::numeric_limits<double>::infinity();
   return pace_of(demand_.mbit).payload_bytes_per_s;
+}
+
+/// Has the encoder leave out what no viewer sees.
+Status FrameSender::follow_views(DepthView depth_mm) {
+  if (!watched_) return {};
+  if (auto views = publisher_->views(); views != views_) {
+    const bool was_watched = views_ != nullptr;
+    views_ = std::move(views);
+    watched_->watch_from(views_ ? *views_ : wire::pb::WatchedFrom());
+    if (was_watched != (views_ != nullptr)) choose_key_interval();
+  }
+  const int frames_per_reference = demand_.base_only ? 1 : 1 << (codec_.layers - 1);
+  const DepthView shown_mm = has_encoded_ ? encoder_->decoded_depth() : DepthView();
+  return encoder_->set_needs(watched_->update(depth_mm, shown_mm, frames_per_reference));
+}
+
+void FrameSender::choose_key_interval() {
+  const double without_rate =
+      views_ ? kKeyIntervalWatched_s : codec::FrameEncoderOptions().key_interval_s;
+  encoder_->set_key_interval(rate_ ? kKeyIntervalWithTarget_s : without_rate);
 }
 
 /// While layer 0 suffices, as many frames are encoded as it has.

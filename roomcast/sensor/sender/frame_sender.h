@@ -2,7 +2,8 @@
 // FrameSender: sends a sensor's frames to its hub: registers colour, encodes, publishes (the last
 // three steps of the paper's Algorithm 1). A frame for which the network has no room is skipped
 // before it is registered and encoded. It sends what the hub wants of it: its share of the room's
-// uplink, or layer 0 only. Threading: one thread calls all methods.
+// uplink, or layer 0 only, and in live mode only blocks that somebody sees. Threading: one thread
+// calls all methods.
 #pragma once
 
 #include <memory>
@@ -16,6 +17,7 @@
 #include "roomcast/geometry/hole_registration.h"
 #include "roomcast/sensor/sender/codec_choice.h"
 #include "roomcast/sensor/sender/rate_control.h"
+#include "roomcast/sensor/sender/watched_blocks.h"
 
 namespace roomcast::sensor {
 
@@ -50,6 +52,8 @@ class FrameSender {
               const CodecChoice& codec, double fps, std::optional<RateControl> rate);
   void follow_demand();
   void follow_room_rate();
+  [[nodiscard]] Status follow_views(DepthView depth_mm);
+  void choose_key_interval();
   [[nodiscard]] double room_bytes_per_s() const;
   [[nodiscard]] bool is_left_out();
   void follow_network(double rate_share);
@@ -60,10 +64,13 @@ class FrameSender {
   std::unique_ptr<codec::FrameEncoder> encoder_;
   const CodecChoice codec_;
   const double fps_;
-  bool follows_rate_ = false;         // the room's
-  std::optional<RateControl> rate_;   // with a target rate
-  client::Publisher::Demand demand_;  // that rate and encoder were set to
-  int since_base_ = 0;                // frames of the source, while layer 0 suffices
+  bool follows_rate_ = false;                           // the room's
+  std::optional<RateControl> rate_;                     // with a target rate
+  client::Publisher::Demand demand_;                    // that rate and encoder were set to
+  std::optional<WatchedBlocks> watched_;                // in live mode
+  std::shared_ptr<const wire::pb::WatchedFrom> views_;  // that `watched_` was set to
+  bool has_encoded_ = false;
+  int since_base_ = 0;  // frames of the source, while layer 0 suffices
   bool has_finest_quality_ = false;
   double rate_share_ = 1;  // the share that the encoder was set to
   RegisteredColor registered_;

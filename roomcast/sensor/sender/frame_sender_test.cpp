@@ -128,6 +128,48 @@ TEST_F(FrameSenderTest, it_keeps_to_the_rooms_rate_while_there_is_one) {
   EXPECT_GT(most, 20u) << "without a limit again";
 }
 
+TEST_F(FrameSenderTest, what_no_viewer_sees_is_sent_less_until_it_is_seen) {
+  auto sender = FrameSender::open(sensor_of(hub->url(), 160, 128), {});
+  ASSERT_TRUE(sender.ok()) << sender.error().message;
+  const auto look = [&](float forward_z) {
+    wire::pb::Control control;
+    wire::pb::ViewCone& cone = *control.mutable_watched_from()->add_cones();
+    cone.mutable_forward()->set_z(forward_z);
+    cone.set_half_angle(0.7F);
+    boost::asio::post(network.io(), [this, control] { hub->say(control); });
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    const auto is_told = [&] {
+      const auto views = (*sender)->publisher().views();
+      return views && views->cones(0).forward().z() == forward_z;
+    };
+    while (!is_told() && std::chrono::steady_clock::now() < give_up)
+      std::this_thread::sleep_for(1ms);
+    EXPECT_TRUE(is_told());
+  };
+  // A thing that comes and goes before a wall.
+  DepthImage pictures[2] = {DepthImage(160, 128, 3000), DepthImage(160, 128, 3000)};
+  for (int y = 30; y < 100; ++y) {
+    for (int x = 40; x < 120; ++x) pictures[1].at(x, y) = 1500;
+  }
+  int frame = 0;
+  const auto thing_is_sent = [&](int frames) {
+    int changes = 0;
+    for (int i = 0; i < frames; ++i) {
+      const DepthImage& picture = pictures[++frame / 4 % 2];
+      EXPECT_TRUE(*send(**sender, picture));
+      changes += (*sender)->decoded_depth().at(80, 64) / 1000 == picture.at(80, 64) / 1000;
+    }
+    return changes;
+  };
+  thing_is_sent(2);
+  look(1);
+  EXPECT_GE(thing_is_sent(40), 36);
+  look(-1);
+  EXPECT_LE(thing_is_sent(40), 34);
+  look(1);
+  EXPECT_GE(thing_is_sent(40), 36);
+}
+
 TEST_F(FrameSenderTest, a_stream_that_fits_its_line_learns_what_loopback_carries) {
   auto sender = FrameSender::open(sensor_of(hub->url(), 320, 240), {.fits_line = true});
   ASSERT_TRUE(sender.ok()) << sender.error().message;
