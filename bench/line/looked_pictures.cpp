@@ -13,7 +13,7 @@
 namespace roomcast::bench {
 namespace {
 
-constexpr std::size_t kBackgroundMoments = 10;
+constexpr std::size_t kBackgroundMoments = 5;
 
 render::ViewCamera camera_at(const RigidTransform& world_from_head) {
   return {.world_from_view = world_from_head,
@@ -27,7 +27,7 @@ struct Drawn {
   Image<float> depth_m;
 };
 
-/// One of the two viewers.
+/// One of the viewers.
 class LookingViewer {
  public:
   static Result<LookingViewer> create() {
@@ -97,30 +97,38 @@ Result<LookedQuality> compare_pictures(const std::vector<LookedMoment>& moments,
   if (!whole) return whole.error();
   auto culled = LookingViewer::create();
   if (!culled) return culled.error();
-  PooledError whole_error, culled_error;
+  auto alone = LookingViewer::create();
+  if (!alone) return alone.error();
+  PooledError whole_error, culled_error, alone_error;
   LookedQuality quality;
   for (std::size_t i = 0; i < moments.size(); ++i) {
     if (progress)
       progress("picture " + std::to_string(i + 1) + " of " + std::to_string(moments.size()));
     const LookedMoment& moment = moments[i];
+    if (!moment.alone) continue;
     const render::ViewCamera camera = camera_at(moment.world_from_head);
     const auto with_all = whole->draw(*moment.whole, camera);
     if (!with_all) return with_all.error();
     const auto with_some = culled->draw(*moment.culled, camera);
     if (!with_some) return with_some.error();
+    const auto when_alone = alone->draw(*moment.alone, camera);
+    if (!when_alone) return when_alone.error();
     if (i < kBackgroundMoments) continue;
     ++quality.moments;
     const ColorImage truth = true_view(**room, things, camera, moment.scene_time);
+    const ColorImage alone_truth = true_view(**room, things, camera, moment.alone_scene_time);
     for (int y = 0; y < kLookedSide_px; ++y) {
       for (int x = 0; x < kLookedSide_px; ++x) {
         if (!(with_all->depth_m.at(x, y) > 0)) continue;
         whole_error.add(with_all->color.at(x, y), truth.at(x, y));
         culled_error.add(with_some->color.at(x, y), truth.at(x, y));
+        alone_error.add(when_alone->color.at(x, y), alone_truth.at(x, y));
       }
     }
   }
   quality.whole_db = whole_error.psnr_db();
   quality.culled_db = culled_error.psnr_db();
+  quality.alone_db = alone_error.psnr_db();
   return quality;
 }
 

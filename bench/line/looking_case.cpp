@@ -36,7 +36,7 @@ constexpr double kLookingFps = 15;
 constexpr int kLookingFrames = 60;  // of each sensor, played forward and backward
 constexpr auto kStep = 50ms;        // between two poses
 constexpr int kFramesBehind = 2;    // more are late; layer 0 has every second frame
-constexpr int kStepsPerPicture = 10;
+constexpr int kStepsPerPicture = 20;
 constexpr auto kLookingWarmUp = 5s;
 constexpr double kRadius_m = 1.5;  // of the walk round the room
 constexpr int kManyViewers = 500;
@@ -162,11 +162,17 @@ class LateSensors {
   std::vector<double> late_ms_;
 };
 
+struct Sent {
+  double bytes = 0, frames = 0;
+
+  [[nodiscard]] double bytes_per_frame() const { return bytes / std::max(1.0, frames); }
+};
+
 struct Walk {
   std::vector<LookedMoment> moments;
   LateSensors late;
   double whole_bytes = 0, culled_bytes = 0;
-  double sent_bytes = 0;        // by the sensors
+  Sent sent;                    // by the sensors
   std::vector<double> ages_ms;  // of the pictures with all frames
 };
 
@@ -192,10 +198,27 @@ nanoseconds scene_time_of(const client::RoomSnapshot& room, int sensors) {
                                   sensors, kLookingFps, kLookingFrames);
 }
 
-double bytes_sent(const Room& room) {
-  double bytes = 0;
-  for (const auto& feed : room.feeds) bytes += static_cast<double>(feed->stats().bytes_sent);
-  return bytes;
+/// When a walk may begin: the sensors show the same at the same place of each walk.
+HostTime next_beginning() {
+  const nanoseconds period = LoopedSource::period(kLookingFps, kLookingFrames);
+  const HostTime beginning((SteadyClock().now().time_since_epoch() / period + 1) * period);
+  std::ignore = wait_until(beginning, {});
+  return beginning;
+}
+
+Sent sent_by_all(const Room& room) {
+  Sent sent;
+  for (const auto& feed : room.feeds) {
+    const sensor::SensorFeedStats stats = feed->stats();
+    sent.bytes += static_cast<double>(stats.bytes_sent);
+    sent.frames += static_cast<double>(stats.frames_sent);
+  }
+  return sent;
+}
+
+Sent sent_since(const Room& room, const Sent& before) {
+  const Sent now = sent_by_all(room);
+  return {now.bytes - before.bytes, now.frames - before.frames};
 }
 
 void note_ages(const client::RoomSnapshot& room, HostTime now, std::vector<double>& ages_ms) {
@@ -209,8 +232,8 @@ void note_ages(const client::RoomSnapshot& room, HostTime now, std::vector<doubl
 Walk walk(const Room& room, client::Subscriber& whole, client::Subscriber& culled,
           const ViewerPath& path, const LineBenchOptions& options) {
   Walk walk;
-  const HostTime begin = SteadyClock().now();
-  const double sent_before = bytes_sent(room);
+  const HostTime begin = next_beginning();
+  const Sent sent_before = sent_by_all(room);
   const double whole_before = static_cast<double>(whole.snapshot()->bytes_received);
   const double culled_before = static_cast<double>(culled.snapshot()->bytes_received);
   HostTime last = begin;
@@ -228,26 +251,33 @@ Walk walk(const Room& room, client::Subscriber& whole, client::Subscriber& culle
   }
   walk.whole_bytes = static_cast<double>(whole.snapshot()->bytes_received) - whole_before;
   walk.culled_bytes = static_cast<double>(culled.snapshot()->bytes_received) - culled_before;
-  walk.sent_bytes = bytes_sent(room) - sent_before;
+  walk.sent = sent_since(room, sent_before);
   std::ranges::sort(walk.ages_ms);
   return walk;
 }
 
-/// The same walk without the viewer who gets everything.
+/// The same walk without the viewer who gets everything. Its pictures go to the moments of the walk
+/// before.
 Walk walk_alone(const Room& room, client::Subscriber& viewer, const ViewerPath& path,
-                nanoseconds usual_age, const LineBenchOptions& options) {
+                nanoseconds usual_age, std::vector<LookedMoment>& moments,
+                const LineBenchOptions& options) {
   Walk walk;
-  const HostTime begin = SteadyClock().now();
-  const double sent_before = bytes_sent(room);
+  const HostTime begin = next_beginning();
+  const Sent sent_before = sent_by_all(room);
   HostTime last = begin;
   for (int step = 1; SteadyClock().now() < begin + options.duration; ++step) {
     std::ignore = wait_until(begin + step * kStep, {});
     const HostTime now = SteadyClock().now();
     const RigidTransform head = path.at(now - begin);
     send_pose(viewer, head);
-    walk.late.add_alone(*viewer.snapshot(), now, usual_age, head, now - std::exchange(last, now));
+    const auto seen = viewer.snapshot();
+    walk.late.add_alone(*seen, now, usual_age, head, now - std::exchange(last, now));
+    const auto picture = static_cast<std::size_t>(step / kStepsPerPicture);
+    if (step % kStepsPerPicture != 0 || picture > moments.size()) continue;
+    moments[picture - 1].alone = seen;
+    moments[picture - 1].alone_scene_time = scene_time_of(*seen, options.sensors);
   }
-  walk.sent_bytes = bytes_sent(room) - sent_before;
+  walk.sent = sent_since(room, sent_before);
   return walk;
 }
 
@@ -310,14 +340,17 @@ Status measure_looking(const LineBenchOptions& options,
   say("warming up");
   std::this_thread::sleep_for(kLookingWarmUp);
   say("walking");
-  const Walk walked = walk(*room, **whole, **culled, in_room, options);
+  Walk walked = walk(*room, **whole, **culled, in_room, options);
   const double usual_age_ms = sorted_percentile(walked.ages_ms, 0.95);
   const client::RoomSnapshot last_whole = *(*whole)->snapshot();
   whole->reset();
   say("walking alone");
-  const Walk alone =
-      walk_alone(*room, **culled, in_room,
-                 nanoseconds(static_cast<std::int64_t>(usual_age_ms * 1e6)), options);
+  const Walk alone = walk_alone(*room, **culled, in_room,
+                                nanoseconds(static_cast<std::int64_t>(usual_age_ms * 1e6)),
+                                walked.moments, options);
+  say("sent to him alone: " +
+      std::to_string(static_cast<int>(100 * alone.sent.bytes / walked.sent.bytes)) +
+      " % of all bytes");
   const double many_share = decision_cost(last_whole, in_room);
   room->feeds.clear();
   const auto quality = compare_pictures(walked.moments, options.scene, progress);
@@ -338,9 +371,14 @@ Status measure_looking(const LineBenchOptions& options,
   add("times that a sensor came into view", "", static_cast<double>(late_ms.size()));
   add("without a new picture, 99 %", "ms", sorted_percentile(late_ms, 0.99));
   add("without a new picture, longest", "ms", late_ms.empty() ? 0 : late_ms.back());
-  add("sensors send all frames", "kB/s", walked.sent_bytes / seconds / 1e3);
-  add("sensors send to him alone", "kB/s", alone.sent_bytes / seconds / 1e3);
-  add("sensors send to him alone", "% of all", 100 * alone.sent_bytes / walked.sent_bytes);
+  add("sensors send all frames", "kB/s", walked.sent.bytes / seconds / 1e3);
+  add("sensors send to him alone", "kB/s", alone.sent.bytes / seconds / 1e3);
+  add("sensors send to him alone", "% of all", 100 * alone.sent.bytes / walked.sent.bytes);
+  add("frames that sensors send to him alone", "% of all",
+      100 * alone.sent.frames / walked.sent.frames);
+  add("sensors send to him alone, bytes of a frame", "% of all",
+      100 * alone.sent.bytes_per_frame() / walked.sent.bytes_per_frame());
+  add("alone, PSNR", "dB", quality->alone_db);
   add("alone, age of a picture that counts as usual", "ms", usual_age_ms);
   add("alone, times that a sensor came into view", "", static_cast<double>(late_alone_ms.size()));
   add("alone, without a new picture, 99 %", "ms", sorted_percentile(late_alone_ms, 0.99));

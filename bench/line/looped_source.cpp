@@ -27,6 +27,10 @@ nanoseconds LoopedSource::scene_time(HostTime captured, int index, int count, do
   return frame_at_place(tick, frame_count) * interval_of(fps);
 }
 
+nanoseconds LoopedSource::period(double fps, int frame_count) {
+  return 2 * (frame_count - 1) * interval_of(fps);
+}
+
 Result<std::unique_ptr<LoopedSource>> LoopedSource::capture(const std::string& scene, int index,
                                                             int count, double fps,
                                                             int frame_count) {

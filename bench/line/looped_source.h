@@ -23,6 +23,9 @@ class LoopedSource final : public source::FrameSource {
   [[nodiscard]] static nanoseconds scene_time(HostTime captured, int index, int count, double fps,
                                               int frame_count);
 
+  /// After so long all sensors show the same again.
+  [[nodiscard]] static nanoseconds period(double fps, int frame_count);
+
   [[nodiscard]] const source::SensorDescription& description() const override {
     return description_;
   }
