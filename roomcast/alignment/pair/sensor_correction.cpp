@@ -18,4 +18,11 @@ DepthUncertainty DepthUncertainty::given(double disagreement_m) const {
   return doubt;
 }
 
+DepthUncertainty DepthUncertainty::weighed_given(double disagreement_m) const {
+  DepthUncertainty weighed = *this;
+  weighed.uncalibrated_from_m = weighed_uncalibrated_from_m;
+  weighed.uncalibrated_steepness = weighed_uncalibrated_steepness;
+  return weighed.given(disagreement_m);
+}
+
 }  // namespace roomcast::alignment

@@ -57,12 +57,18 @@ struct DepthUncertainty {
   double uncalibrated_scale = 0.04;     // of a sensor that nobody calibrated
   double uncalibrated_from_m = 0.0007;  // disagreement that makes both equally likely
   double uncalibrated_steepness = 6;    // power of the disagreement
+  /// The same for a pose that is weighed against another estimate of it. What is said may err
+  /// towards doubt; a weight that errs leaves calibrated sensors where a person's walk had put
+  /// them, though their surfaces know better (ADR 23).
+  double weighed_uncalibrated_from_m = 0.001, weighed_uncalibrated_steepness = 4;
 
   /// Belief that sensors are not calibrated, 0 to 1, given how far their surfaces disagree smoothly
   /// (RigScatter::disagreement_m).
   [[nodiscard]] double uncalibrated_belief(double disagreement_m) const;
-  /// These uncertainties, given that disagreement.
+  /// These uncertainties, given that disagreement: those that are said.
   [[nodiscard]] DepthUncertainty given(double disagreement_m) const;
+  /// Those by which a pose is weighed.
+  [[nodiscard]] DepthUncertainty weighed_given(double disagreement_m) const;
 
   template <class Visit>
   void for_each_field(Visit visit) const {
@@ -72,6 +78,8 @@ struct DepthUncertainty {
     visit("uncalibrated_scale", uncalibrated_scale, Range{0, 1});
     visit("uncalibrated_from_m", uncalibrated_from_m, Range{1e-6, 1});
     visit("uncalibrated_steepness", uncalibrated_steepness, Range{1, 100});
+    visit("weighed_uncalibrated_from_m", weighed_uncalibrated_from_m, Range{1e-6, 1});
+    visit("weighed_uncalibrated_steepness", weighed_uncalibrated_steepness, Range{1, 100});
   }
   [[nodiscard]] Status check() const { return check_fields("DepthUncertainty", *this); }
 };

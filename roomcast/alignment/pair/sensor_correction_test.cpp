@@ -28,5 +28,12 @@ TEST(DepthUncertainty, grows_with_disagreement) {
   }
 }
 
+TEST(DepthUncertainty, what_is_said_is_doubted_more_readily_than_a_pose_is_weighed) {
+  const DepthUncertainty doubt;
+  for (const double disagreement_m : {0.00055, 0.0008, 0.0011})
+    EXPECT_LT(doubt.weighed_given(disagreement_m).scale, doubt.given(disagreement_m).scale);
+  EXPECT_NEAR(doubt.weighed_given(0.003).scale, doubt.given(0.003).scale, 0.001);
+}
+
 }  // namespace
 }  // namespace roomcast::alignment

@@ -2,6 +2,7 @@
 #include "roomcast/alignment/prior/refined_placement.h"
 
 #include <array>
+#include <cmath>
 
 #include <Eigen/LU>
 
@@ -28,6 +29,12 @@ Matrix6 information_of(double sigma_m, double walk_radius_m, const Eigen::Vector
   Matrix6 information = weight * by.transpose() * by;
   information.diagonal().head<3>().array() += weight * walk_radius_m * walk_radius_m;
   return information;
+}
+
+/// Standard deviation of a moved point.
+double point_error_m(const Matrix6& covariance, const Eigen::Vector3d& point_m) {
+  const Eigen::Matrix<double, 3, 6> by = point_motion(point_m);
+  return std::sqrt((by * covariance * by.transpose()).trace());
 }
 
 /// The pose of b by the surfaces that both see; its covariance is 0 if they determine nothing.
@@ -59,7 +66,8 @@ std::optional<EstimatedPlacement> refined_placement(const SensorView& view,
   const double sigma_m = 0.001 * found.expected_error_mm;
   const Matrix6 before =
       information_of(sigma_m, options.walk_radius_m, shared.origin_from_sensor * kAhead_m);
-  const Matrix6 together = before + inverse_of(shared.covariance);
+  const Matrix6 by_surfaces = inverse_of(shared.weighed_covariance);
+  const Matrix6 together = before + by_surfaces;
   const Vector6 back = motion_between(shared.origin_from_sensor, at_first);
   const RigidTransform a_from_b =
       step_transform(solve_symmetric(together, before * back)) * shared.origin_from_sensor;
@@ -71,8 +79,11 @@ std::optional<EstimatedPlacement> refined_placement(const SensorView& view,
   }
   if (contradiction(pair.examine(a_from_b), options.evidence) != Contradiction::kNone)
     return std::nullopt;
+  // Of the mean, when surfaces err as is said of them.
+  const Matrix6 variance = before + by_surfaces * shared.covariance * by_surfaces;
+  const Matrix6 covariance = inverse_of(together) * variance * inverse_of(together);
   return EstimatedPlacement{partner->world_from_depth * a_from_b,
-                            1000 * expected_error_m(together, a_from_b * kAhead_m)};
+                            1000 * point_error_m(covariance, a_from_b * kAhead_m)};
 }
 
 }  // namespace roomcast::alignment

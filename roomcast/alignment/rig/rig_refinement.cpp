@@ -191,11 +191,14 @@ void add_covariance(std::span<const ActivePair> held, std::size_t origin,
   const float reach_m = rules.refinement.min_reach_m;
   const RigScatter scatter = rig_scatter(held, sensors, rules, reach_m);
   const DepthUncertainty& doubt = rules.refinement.depth_uncertainty;
-  const auto covariance = rig_equations(held, sensors, origin, rules, reach_m)
-                              .motion_covariance(scatter, doubt.given(scatter.disagreement_m()));
+  const double disagreement_m = scatter.disagreement_m();
+  const RigEquations equations = rig_equations(held, sensors, origin, rules, reach_m);
+  const auto said = equations.motion_covariance(scatter, doubt.given(disagreement_m));
+  const auto weighed = equations.motion_covariance(scatter, doubt.weighed_given(disagreement_m));
   for (std::size_t i = 0; i < sensors.size(); ++i) {
-    sensors[i].covariance = covariance[i];
-    sensors[i].uncalibrated_belief = doubt.uncalibrated_belief(scatter.disagreement_m());
+    sensors[i].covariance = said[i];
+    sensors[i].weighed_covariance = weighed[i];
+    sensors[i].uncalibrated_belief = doubt.uncalibrated_belief(disagreement_m);
   }
 }
 

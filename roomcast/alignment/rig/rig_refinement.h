@@ -22,8 +22,9 @@ struct RefinedSensor {
   RigidTransform origin_from_sensor;
   SensorCorrection correction;
   /// Covariance of (rotation, shift) in the origin's frame, from the equations; 0 for the origin
-  /// and for sensors that no pair constrains.
-  Matrix6 covariance = Matrix6::Zero();
+  /// and for sensors that no pair constrains. The first is what is said of the pose, the second
+  /// weighs it against another estimate (DepthUncertainty).
+  Matrix6 covariance = Matrix6::Zero(), weighed_covariance = Matrix6::Zero();
   double uncalibrated_belief = 0;  // that the rig's sensors are not calibrated (DepthUncertainty)
 };
 
