@@ -29,7 +29,8 @@ nlohmann::json json_of(const alignment::SensorReport& sensor) {
           {"color_shift_px",
            {sensor.correction.color_shift_px.x(), sensor.correction.color_shift_px.y()}},
           {"depth_scale", sensor.depth_scale},
-          {"depth_scale_standard_error", sensor.depth_scale_standard_error},
+          {"depth_scale_standard_error",
+           number_if(sensor.depth_scale_standard_error > 0, sensor.depth_scale_standard_error)},
           {"overlap", sensor.overlap},
           {"inliers", sensor.inliers},
           {"residual_mm", number_if(sensor.overlap > 0, sensor.residual_mm)},
@@ -112,14 +113,20 @@ constexpr double kNotableScaleError = 0.005;
 
 /// Factors on readings, and doubts about calibrations, in sentences; empty if there are none.
 std::string calibration_text(const alignment::AlignmentReport& report) {
-  std::string factors, text;
+  std::string factors, reference, text;
   for (const auto& sensor : report.sensors) {
-    if (sensor.depth_scale != 1)
-      factors += fmt::format("{}{} {:.3f} (+-{:.3f})", factors.empty() ? "" : ", ", sensor.id,
-                             sensor.depth_scale, sensor.depth_scale_standard_error);
+    if (sensor.depth_scale == 1) continue;
+    factors +=
+        fmt::format("{}{} {:.3f}", factors.empty() ? "" : ", ", sensor.id, sensor.depth_scale);
+    if (sensor.depth_scale_standard_error > 0) {
+      factors += fmt::format(" (+-{:.3f})", sensor.depth_scale_standard_error);
+    } else {
+      reference = sensor.id;
+    }
   }
   if (!factors.empty())
-    text += fmt::format("\nThese poses need depth multiplied by: {}.\n", factors);
+    text += fmt::format("\nThese poses need depth multiplied by: {}.{}\n", factors,
+                        reference.empty() ? "" : " Errors are relative to " + reference + ".");
   if (report.uncalibrated_belief >= alignment::PlacingOptions{}.uncalibrated) {
     text +=
         "\nSurfaces disagree as those of sensors do that nobody calibrated. `roomcast calibrate` "

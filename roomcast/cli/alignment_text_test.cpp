@@ -113,5 +113,21 @@ TEST(AlignmentText, says_what_is_known_of_calibrations) {
   EXPECT_EQ(table.find("walks through all views"), std::string::npos);
 }
 
+TEST(AlignmentText, the_factor_to_which_the_others_are_relative_has_no_error) {
+  alignment::AlignmentReport scaled = report();
+  scaled.sensors[0].depth_scale = 0.98;
+  scaled.sensors[1].depth_scale = 1.02;
+  scaled.sensors[1].depth_scale_standard_error = 0.009;
+  const std::string table = alignment_table(scaled);
+  const std::string first = scaled.sensors[0].id, second = scaled.sensors[1].id;
+  EXPECT_NE(table.find("multiplied by: " + first + " 0.980, " + second +
+                       " 1.020 (+-0.009). Errors are relative to " + first + "."),
+            std::string::npos)
+      << table;
+  const auto json = nlohmann::json::parse(alignment_json(scaled));
+  EXPECT_TRUE(json["sensors"][0]["depth_scale_standard_error"].is_null());
+  EXPECT_EQ(json["sensors"][1]["depth_scale_standard_error"], 0.009);
+}
+
 }  // namespace
 }  // namespace roomcast::cli

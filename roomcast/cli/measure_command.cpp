@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "roomcast/cli/command.h"
@@ -44,6 +45,13 @@ nlohmann::json json_of(const recording::MeasuredPlace& place) {
           {"sensor", place.sensor}};
 }
 
+/// Where a good part of the error is that of the room's scale.
+std::string scale_text(const recording::MeasuredDistance& measured) {
+  if (measured.by_scale_m < 0.5 * measured.expected_error_m || measured.by_scale_m <= 0) return "";
+  return fmt::format(", of which {:.0f} mm because the room's scale is not known better",
+                     1000 * measured.by_scale_m);
+}
+
 Status report_distance(const MeasureOptions& options,
                        const std::vector<recording::StaticSensor>& room, nlohmann::json& report) {
   const auto from = recording::parse_place(options.from);
@@ -54,10 +62,12 @@ Status report_distance(const MeasureOptions& options,
   if (!measured) return measured.error();
   report["distance_m"] = measured->distance_m;
   report["expected_error_m"] = measured->expected_error_m;
+  report["by_scale_m"] = measured->by_scale_m;
   report["from"] = json_of(measured->from);
   report["to"] = json_of(measured->to);
   if (!options.json) {
-    print_out("{:.3f} m ± {:.0f} mm\n", measured->distance_m, 1000 * measured->expected_error_m);
+    print_out("{:.3f} m ± {:.0f} mm{}\n", measured->distance_m, 1000 * measured->expected_error_m,
+              scale_text(*measured));
   }
   return {};
 }

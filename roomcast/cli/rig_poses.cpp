@@ -36,10 +36,12 @@ Status write_rig_poses(const std::filesystem::path& rig, const alignment::Alignm
                      [&](const alignment::SensorReport& sensor) { return sensor.id == entry.id; });
     if (found == report.sensors.end()) continue;
     entry.world_from_depth = found->world_from_depth;
+    entry.expected_error_mm = found->expected_error_mm;
     // The sensor was aligned with the depth scale that it had, so the two are multiplied.
     if (found->placed) entry.depth_scale *= found->depth_scale;
     if (Status status = check_depth_scale(entry); !status) return status;
   }
+  description->scale_error = report.scale_error;
   return io::write_file(rig / "rig.json", recording::rig_json_text(*description));
 }
 

@@ -63,6 +63,20 @@ TEST(RigPoses, come_with_depth_scales_that_multiply_those_in_the_file) {
   EXPECT_EQ(rig->sensors[1].depth_scale, 1);
 }
 
+TEST(RigPoses, come_with_their_expected_errors_and_that_of_the_scale) {
+  const TemporaryFolder folder;
+  write_rig(folder.path());
+  alignment::AlignmentReport report = first_placed();
+  report.sensors[0].expected_error_mm = 39;
+  report.scale_error = 0.018;
+  ASSERT_TRUE(write_rig_poses(folder.path(), report).ok());
+  const auto rig = recording::read_rig_json(folder / "rig.json");
+  ASSERT_TRUE(rig.ok());
+  EXPECT_EQ(rig->sensors[0].expected_error_mm, 39);
+  EXPECT_EQ(rig->sensors[1].expected_error_mm, 0);
+  EXPECT_EQ(rig->scale_error, 0.018);
+}
+
 TEST(RigPoses, stay_when_a_depth_scale_would_leave_its_range) {
   const TemporaryFolder folder;
   write_rig(folder.path());

@@ -53,7 +53,13 @@ void add_aligned_sensor(py::module_& module) {
                     "Standard deviation of the direction.")
       .def_readonly("depth_scale", &SensorReport::depth_scale,
                     "Factor on its readings that its pose assumes; 1 where it is not determined.")
-      .def_readonly("depth_scale_standard_error", &SensorReport::depth_scale_standard_error)
+      .def_property_readonly(
+          "depth_scale_standard_error",
+          [](const SensorReport& sensor) -> py::object {
+            if (sensor.depth_scale_standard_error == 0) return py::none();
+            return py::float_(sensor.depth_scale_standard_error);
+          },
+          "Relative to the origin's; None: that of the origin, or a factor that is not determined.")
       .def_readonly("overlap", &SensorReport::overlap,
                     "Share of its surface that another one sees, 0 to 1.")
       .def_readonly("inliers", &SensorReport::inliers,

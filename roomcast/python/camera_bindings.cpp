@@ -84,6 +84,14 @@ void add_cameras(py::module_& module) {
             return py::float_(sensor.expected_error_m);
           },
           "Standard deviation of an estimated pose, 2.5 m in front of the sensor; None: unknown.")
+      .def_property_readonly(
+          "scale_error",
+          [](const recording::SetSensor& sensor) -> py::object {
+            if (sensor.scale_error == 0) return py::none();
+            return py::float_(sensor.scale_error);
+          },
+          "Standard deviation of all of the room's distances alike, as a share; not part of\n"
+          "expected_error_m; None: unknown.")
       .def("__repr__", [](const recording::SetSensor& sensor) {
         return "<roomcast.SensorInfo " + sensor.name + ">";
       });

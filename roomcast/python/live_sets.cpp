@@ -11,7 +11,7 @@ bool same_sensors(const std::vector<recording::SetSensor>& a,
                   const std::vector<recording::SetSensor>& b) {
   return std::ranges::equal(a, b, [](const auto& one, const auto& other) {
     return one.name == other.name && one.depth == other.depth && one.fps == other.fps &&
-           one.expected_error_m == other.expected_error_m;
+           one.expected_error_m == other.expected_error_m && one.scale_error == other.scale_error;
   });
 }
 

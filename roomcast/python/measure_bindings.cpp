@@ -86,6 +86,8 @@ void add_measuring(py::module_& module) {
   py::class_<MeasuredDistance>(module, "Distance", "The result of measure().")
       .def_readonly("distance_m", &MeasuredDistance::distance_m)
       .def_readonly("expected_error_m", &MeasuredDistance::expected_error_m, "Standard deviation.")
+      .def_readonly("by_scale_m", &MeasuredDistance::by_scale_m,
+                    "The part of expected_error_m that the room's scale has; 0: it is not known.")
       .def_readonly("a", &MeasuredDistance::from)
       .def_readonly("b", &MeasuredDistance::to)
       .def("__repr__", [](const MeasuredDistance& distance) {

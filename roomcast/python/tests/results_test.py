@@ -68,7 +68,19 @@ class Distances(TestCase):
             distance = roomcast.measure(rig, a, b)
             self.assertEqual(distance.distance_m, told["distance_m"])
             self.assertEqual(distance.expected_error_m, told["expected_error_m"])
+            self.assertEqual(distance.by_scale_m, told["by_scale_m"])
             self.assertEqual((list(distance.a.xyz), distance.b.sensor), (told["from"]["world_m"], told["to"]["sensor"]))
+
+    def test_have_the_error_of_the_rooms_scale(self):
+        rig = write_rig(self.folder())
+        description = json.loads((rig / "rig.json").read_text())
+        self.assertIsNone(roomcast.open(rig).sensors[0].scale_error)
+        self.assertEqual(roomcast.measure(rig, ("s0", 20, 20), ("s0", 40, 30)).by_scale_m, 0)
+        (rig / "rig.json").write_text(json.dumps({**description, "scale_error": 0.02}))
+        self.assertEqual(roomcast.open(rig).sensors[0].scale_error, 0.02)
+        distance = roomcast.measure(rig, ("s0", 20, 20), ("s0", 40, 30))
+        self.assertAlmostEqual(distance.by_scale_m, 0.02 * distance.distance_m)
+        self.assertGreater(distance.expected_error_m, distance.by_scale_m)
 
     def test_between_points_of_the_room(self):
         rig = write_rig(self.folder())

@@ -185,6 +185,8 @@ Result<Recording> read_rig_recording(const fs::path& directory, const std::strin
   recording->camera.depth_scale_to_metre *= sensor->depth_scale;
   recording->start = span->start;
   recording->loop_duration = span->loop_duration;
+  recording->expected_error_mm = sensor->expected_error_mm;
+  recording->scale_error = rig->scale_error;
   return recording;
 }
 

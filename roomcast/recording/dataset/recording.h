@@ -34,6 +34,8 @@ struct Recording {
   std::vector<RecordedFrame> frames;  // at least one, in order of time
   nanoseconds start{};                // true time at which playback begins
   nanoseconds loop_duration{};        // playback restarts after this; longer than the frames last
+  // As in rig.json; 0: unknown.
+  double expected_error_mm = 0, scale_error = 0;
 };
 
 /// Reads one sensor of a rig folder. All sensors of a rig get the same `start` and `loop_duration`.

@@ -14,12 +14,19 @@ constexpr double kLargestClockOffset_s = 4e9;  // a device time from 0 against t
 constexpr double kLargestRate_ppm = 1e4;
 constexpr double kMinDepthScale = 0.5;
 constexpr double kMaxDepthScale = 2;
+constexpr double kLargestError_mm = 1e6;
 constexpr std::uint64_t kLargestFrameNumber = 1U << 31U;
 
 double limited(const io::JsonFields& fields, const char* field, double largest) {
   const double value = fields.number(field, 0);
   if (!(std::abs(value) <= largest)) fields.reject(field, "is far too large");
   return value;
+}
+
+double error_within(const io::JsonFields& fields, const char* field, double largest) {
+  const double error = limited(fields, field, largest);
+  if (error < 0) fields.reject(field, "must not be negative");
+  return error;
 }
 
 RigSensorEntry read_sensor(const io::JsonFields& fields) {
@@ -35,6 +42,7 @@ RigSensorEntry read_sensor(const io::JsonFields& fields) {
   sensor.drop = fields.counts("drop", kLargestFrameNumber);
   sensor.depth_scale = fields.number("depth_scale", 1);
   if (!is_depth_scale(sensor.depth_scale)) fields.reject("depth_scale", "must be 0.5 to 2");
+  sensor.expected_error_mm = error_within(fields, "expected_error_mm", kLargestError_mm);
   return sensor;
 }
 
@@ -61,6 +69,7 @@ nlohmann::json sensor_as_json(const RigSensorEntry& sensor) {
     json["world_from_depth"] = row_major_from_transform(*sensor.world_from_depth);
   }
   if (sensor.depth_scale != 1) json["depth_scale"] = sensor.depth_scale;
+  if (sensor.expected_error_mm != 0) json["expected_error_mm"] = sensor.expected_error_mm;
   return json;
 }
 
@@ -94,6 +103,7 @@ Result<RigDescription> read_rig_json(const std::filesystem::path& path) {
   rig.fps = fields.number("fps");
   if (!(rig.fps > 0 && rig.fps <= kMaxFps)) fields.reject("fps", "must be above 0 and at most 240");
   rig.source = fields.text("source", "");
+  rig.scale_error = error_within(fields, "scale_error", 1);
   for (const io::JsonFields& sensor : fields.objects("sensors")) {
     rig.sensors.push_back(read_sensor(sensor));
   }
@@ -108,6 +118,7 @@ std::string rig_json_text(const RigDescription& rig) {
                          {"world", "y up, metres, right-handed"},
                          {"source", rig.source},
                          {"sensors", nlohmann::json::array()}};
+  if (rig.scale_error != 0) json["scale_error"] = rig.scale_error;
   for (const RigSensorEntry& sensor : rig.sensors)
     json["sensors"].push_back(sensor_as_json(sensor));
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

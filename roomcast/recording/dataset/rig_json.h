@@ -3,7 +3,9 @@
 //
 //   {"version": 1, "fps": 30,
 //    "sensors": [{"id": "s0", "path": "s0", "world_from_depth": [16 numbers, row-major] or null,
-//                 "clock_offset_s": 0, "rate_ppm": 0, "drop": [23], "depth_scale": 1}, ...]}
+//                 "clock_offset_s": 0, "rate_ppm": 0, "drop": [23], "depth_scale": 1,
+//                 "expected_error_mm": 0}, ...],
+//    "scale_error": 0}
 //
 // Each sensor's folder `path` (inside the rig's) contains camera.json, depth.txt, rgb.txt,
 // depth/*.png and rgb/*.jpg, the lists in the layout of the TUM RGB-D benchmark: a timestamp in
@@ -12,6 +14,8 @@
 //   rate_ppm        how much faster than `fps` its frames come; its timestamps include that
 //   drop            numbers of lost frames; these have no files and no lines
 //   depth_scale     true depth divided by what camera.json makes of the depth pictures
+//   expected_error_mm  of an estimated pose, one standard deviation 2.5 m ahead; 0: unknown
+//   scale_error     by which all distances may be off alike, one standard deviation; 0: unknown
 // Metres, seconds. Thread-safe (no state).
 #pragma once
 
@@ -38,12 +42,14 @@ struct RigSensorEntry {
   double rate_ppm = 0;
   std::vector<std::uint64_t> drop;
   double depth_scale = 1;
+  double expected_error_mm = 0;
 };
 
 struct RigDescription {
   double fps = 30;
   std::string source;  // name of the program that made it, for display
   std::vector<RigSensorEntry> sensors;
+  double scale_error = 0;
 };
 
 /// kNotFound if the file is missing; kUnsupported for another version; kMalformed, naming file and

@@ -18,6 +18,8 @@ RigDescription two_sensors() {
   rig.sensors.push_back({"s0", "s0", RigidTransform{}, 0, 8, {23}});
   rig.sensors.push_back({"kitchen", "two/k", std::nullopt, -1.5, 0, {}, 0.98});
   rig.sensors[0].world_from_depth->translation_m = {1, 2, 3};
+  rig.sensors[0].expected_error_mm = 39.5;
+  rig.scale_error = 0.018;
   return rig;
 }
 
@@ -42,6 +44,9 @@ TEST(RigJson, reads_back_its_own_output) {
   EXPECT_EQ(rig->sensors[1].clock_offset_s, -1.5);
   EXPECT_EQ(rig->sensors[0].depth_scale, 1);
   EXPECT_EQ(rig->sensors[1].depth_scale, 0.98);
+  EXPECT_EQ(rig->sensors[0].expected_error_mm, 39.5);
+  EXPECT_EQ(rig->sensors[1].expected_error_mm, 0);
+  EXPECT_EQ(rig->scale_error, 0.018);
 }
 
 TEST(RigJson, names_the_field_that_is_wrong) {
@@ -71,6 +76,10 @@ TEST(RigJson, names_the_field_that_is_wrong) {
       {[](json& r) { r["sensors"][0]["depth_scale"] = 0; }, "sensors[0].depth_scale"},
       {[](json& r) { r["sensors"][0]["depth_scale"] = 2.1; }, "sensors[0].depth_scale"},
       {[](json& r) { r["sensors"][0]["depth_scale"] = "1"; }, "sensors[0].depth_scale"},
+      {[](json& r) { r["sensors"][0]["expected_error_mm"] = -1; }, "sensors[0].expected_error_mm"},
+      {[](json& r) { r["sensors"][0]["expected_error_mm"] = 1e9; }, "expected_error_mm"},
+      {[](json& r) { r["scale_error"] = -0.1; }, "scale_error"},
+      {[](json& r) { r["scale_error"] = 2; }, "scale_error"},
   };
   for (const auto& [change, part] : cases) {
     json changed = json::parse(rig_json_text(two_sensors()));

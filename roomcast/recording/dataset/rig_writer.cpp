@@ -142,10 +142,12 @@ Status RigWriter::write_cameras() const {
 
 Status RigWriter::write_rig_json(const std::string& source) const {
   RigDescription rig{fps_, source, {}};
+  rig.scale_error = options_.scale_error;
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const source::SensorDescription& description = sensors_[i].description;
     rig.sensors.push_back({description.name, description.name, description.world_from_depth,
                            sensors_[i].clock_offset_s, sensors_[i].rate_ppm, progress_[i].dropped});
+    rig.sensors.back().expected_error_mm = sensors_[i].expected_error_mm;
   }
   return io::write_file(directory_ / "rig.json", rig_json_text(rig));
 }

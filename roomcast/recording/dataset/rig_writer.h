@@ -22,14 +22,16 @@ namespace roomcast::recording {
 struct RigSensor {
   source::SensorDescription
       description;  // `name` becomes ID and folder; `fps` is ignored, since the rig has one rate
-  double clock_offset_s = 0;  // timestamp = true time + offset
-  double rate_ppm = 0;        // its clock is this much too fast
-  bool has_color = true;      // false: camera.json has no colour camera
+  double clock_offset_s = 0;     // timestamp = true time + offset
+  double rate_ppm = 0;           // its clock is this much too fast
+  bool has_color = true;         // false: camera.json has no colour camera
+  double expected_error_mm = 0;  // of an estimated pose, as in rig.json; 0: unknown
 };
 
 struct RigWriterOptions {
-  std::string source;     // program that made the recording, for display in rig.json
-  int jpeg_quality = 90;  // of colour, 1..100
+  std::string source;      // program that made the recording, for display in rig.json
+  int jpeg_quality = 90;   // of colour, 1..100
+  double scale_error = 0;  // as in rig.json; 0: unknown
 };
 
 /// Creates `directory` for a recording. kUnavailable: that fails, or it is not empty, since nothing

@@ -16,15 +16,18 @@ namespace roomcast::recording {
 
 Status FolderWriter::create(const FrameSet& set) {
   std::vector<RigSensor> rig(sensors_.size());
+  RigWriterOptions options{.source = "roomcast export"};
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     source::SensorDescription& description = rig[i].description;
     description.name = sensors_[i].name;
     description.calibration = {sensors_[i].depth, sensors_[i].depth, {}, true};
+    rig[i].expected_error_mm = 1000 * sensors_[i].expected_error_m;
+    options.scale_error = std::max(options.scale_error, sensors_[i].scale_error);
     fps_ = std::max(fps_, sensors_[i].fps);
   }
   for (const SetFrame& frame : set.frames)
     rig[frame.sensor].description.world_from_depth = frame.world_from_depth;
-  auto writer = RigWriter::create(folder_, fps_, rig, {.source = "roomcast export"});
+  auto writer = RigWriter::create(folder_, fps_, rig, options);
   if (!writer) return writer.error();
   writer_.emplace(std::move(*writer));
   return {};

@@ -103,6 +103,22 @@ TEST_F(SetWriterTest, a_folder_that_was_exported_is_exported_again_byte_for_byte
   for (const auto& [path, bytes] : first) EXPECT_TRUE(second.at(path) == bytes) << path;
 }
 
+TEST_F(SetWriterTest, a_folder_keeps_the_errors_of_the_poses_and_of_the_scale) {
+  std::vector<SetSensor> sensors = wall_sensors();
+  for (SetSensor& sensor : sensors) sensor.scale_error = 0.018;
+  sensors[0].expected_error_m = 0.039;
+  auto writer = make_set_writer(ExportFormat::kRig, out, {sensors, kBeganAt}, {});
+  ASSERT_TRUE((*writer)->add(wall_set()).ok());
+  ASSERT_TRUE((*writer)->finish().ok());
+  const auto again = open_frame_sets(out);
+  ASSERT_TRUE(again.ok()) << again.error().message;
+  ASSERT_EQ((*again)->sensors().size(), sensors.size());
+  for (const SetSensor& sensor : (*again)->sensors()) {
+    EXPECT_EQ(sensor.scale_error, 0.018);
+    EXPECT_NEAR(sensor.expected_error_m, sensor.name == sensors[0].name ? 0.039 : 0, 1e-9);
+  }
+}
+
 TEST_F(SetWriterTest, a_folder_keeps_the_date_of_its_frames) {
   auto writer = make(ExportFormat::kTum);
   ASSERT_TRUE((*writer)->add(wall_set()).ok());

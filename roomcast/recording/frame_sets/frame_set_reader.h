@@ -25,6 +25,9 @@ struct SetSensor {
   CameraIntrinsics depth;  // also of the colour, which is in the depth grid
   double fps = 30;
   double expected_error_m = 0;  // of an estimated pose, 2.5 m in front of the sensor; 0: unknown
+  /// By which all distances in the room may be too long or too short alike, as a share, one
+  /// standard deviation; the same for all its sensors, not part of the error above. 0: unknown.
+  double scale_error = 0;
 };
 
 /// One sensor's part of a frame set.

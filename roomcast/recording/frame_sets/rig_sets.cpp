@@ -25,8 +25,12 @@ class Track {
     auto registration = Registration::create(recording->description.calibration);
     if (!registration) return registration.error();
     const nanoseconds start = recording->start;
+    const double expected_error_m = 0.001 * recording->expected_error_mm;
+    const double scale_error = recording->scale_error;
     Track track(*std::move(recording), std::move(*registration));
     track.start_ = start;
+    track.expected_error_m_ = expected_error_m;
+    track.scale_error_ = scale_error;
     if (auto status = track.advance(); !status) return status.error();
     return track;
   }
@@ -39,6 +43,10 @@ class Track {
   [[nodiscard]] const std::vector<nanoseconds>& times() const { return times_; }
   /// True time from which the tracks of a recording count, the same for all.
   [[nodiscard]] nanoseconds start() const { return start_; }
+  [[nodiscard]] SetSensor sensor() const {
+    const source::SensorDescription& sensor = source_->description();
+    return {sensor.name, sensor.calibration.depth, sensor.fps, expected_error_m_, scale_error_};
+  }
   /// The next frame's colour, if it is in the depth grid as it was recorded; else empty.
   [[nodiscard]] std::filesystem::path color_file() const {
     const auto found = color_files_.find(captured_.index);
@@ -79,6 +87,7 @@ class Track {
   }
 
   nanoseconds start_{};
+  double expected_error_m_ = 0, scale_error_ = 0;
   std::vector<nanoseconds> times_;
   std::map<std::uint64_t, std::filesystem::path> color_files_;  // by the number of the frame
   std::unique_ptr<source::FrameSource> source_;
@@ -93,9 +102,8 @@ class FolderSets final : public FrameSetReader {
   FolderSets(std::vector<Track> tracks, nanoseconds from)
       : tracks_(std::move(tracks)), newest_(tracks_.size()), from_(from) {
     for (const Track& track : tracks_) {
-      const source::SensorDescription& sensor = track.description();
-      sensors_.push_back({sensor.name, sensor.calibration.depth, sensor.fps, 0});
-      fps_ = std::max(fps_, sensor.fps);
+      sensors_.push_back(track.sensor());
+      fps_ = std::max(fps_, sensors_.back().fps);
     }
   }
 

@@ -162,7 +162,7 @@ Result<MeasuredDistance> measure_distance(std::span<const StaticSensor> room,
   if (!a) return a.error();
   const auto b = measure_place(room, to);
   if (!b) return b.error();
-  MeasuredDistance measured{*a, *b, (a->world_m - b->world_m).norm(), 0};
+  MeasuredDistance measured{*a, *b, (a->world_m - b->world_m).norm(), 0, 0};
   double variance =
       a->expected_error_m * a->expected_error_m + b->expected_error_m * b->expected_error_m;
   if (a->sensor != b->sensor) {
@@ -171,7 +171,10 @@ Result<MeasuredDistance> measure_distance(std::span<const StaticSensor> room,
       if (used) variance += sensor.expected_error_m * sensor.expected_error_m;
     }
   }
-  measured.expected_error_m = std::sqrt(variance);
+  for (const StaticSensor& sensor : room) {
+    if (sensor.name == a->sensor) measured.by_scale_m = sensor.scale_error * measured.distance_m;
+  }
+  measured.expected_error_m = std::hypot(std::sqrt(variance), measured.by_scale_m);
   return measured;
 }
 

@@ -2,7 +2,9 @@
 // Measures the distance between two places in a room, with its expected error. A place is a pixel
 // of a sensor, or a world point on a surface that a sensor sees. Its position comes from a plane
 // fitted to the readings around it, so noise has little effect; the bias of depth cameras remains
-// and, between two sensors, the error of their poses. Metres. Thread-safe (no state).
+// and, between two sensors, the error of their poses. If alignment could not tell the room's scale,
+// as with sensors that nobody calibrated, its error is that of every distance. Metres. Thread-safe
+// (no state).
 #pragma once
 
 #include <optional>
@@ -33,6 +35,7 @@ struct MeasuredDistance {
   MeasuredPlace from, to;
   double distance_m = 0;
   double expected_error_m = 0;  // standard deviation
+  double by_scale_m = 0;        // the part of it that the room's scale has; 0: unknown
 };
 
 /// Maximum distance of a world point from a surface to count as on it.

@@ -42,6 +42,18 @@ TEST(Distance, errors_of_the_sensors_places_count_between_two_sensors) {
   EXPECT_GT(of_two->expected_error_m, 0.04);
 }
 
+TEST(Distance, has_the_error_of_the_rooms_scale_also_between_pixels_of_one_sensor) {
+  auto room = box_room();
+  const auto known = measure_distance(room, {"a", {40, 100}, {}}, {"a", {200, 60}, {}});
+  for (auto& sensor : room) sensor.scale_error = 0.02;
+  const auto doubted = measure_distance(room, {"a", {40, 100}, {}}, {"a", {200, 60}, {}});
+  EXPECT_EQ(known->by_scale_m, 0);
+  EXPECT_EQ(doubted->distance_m, known->distance_m);
+  EXPECT_DOUBLE_EQ(doubted->by_scale_m, 0.02 * doubted->distance_m);
+  EXPECT_NEAR(doubted->expected_error_m, std::hypot(known->expected_error_m, doubted->by_scale_m),
+              1e-9);
+}
+
 TEST(Distance, gives_the_reason_when_it_cannot_measure) {
   auto room = box_room();
   EXPECT_EQ(measure_place(room, {"z", {1, 1}, {}}).error().message,

@@ -61,7 +61,7 @@ Result<std::vector<StaticSensor>> gather_static_room(
     room.push_back(
         {sensors[i].name, sensors[i].depth, gathered[i].world_from_depth.value_or(RigidTransform()),
          sensors[i].expected_error_m, alignment::steady_depth(gathered[i].depths_mm).depth_mm,
-         gathered[i].depths_mm.size()});
+         gathered[i].depths_mm.size(), sensors[i].scale_error});
   }
   if (!room.empty()) return room;
   return Error{ErrorCode::kNotFound,

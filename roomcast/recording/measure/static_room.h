@@ -24,6 +24,7 @@ struct StaticSensor {
   double expected_error_m = 0;  // of the pose, 2.5 m in front of it; 0 if the pose was given
   DepthImage depth_mm;
   std::size_t frame_count = 0;  // frames in the median
+  double scale_error = 0;       // of the room, as SetSensor::scale_error
 };
 
 /// More frames do not improve the median noticeably.
