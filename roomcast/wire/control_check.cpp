@@ -116,10 +116,9 @@ Status check_join(const pb::Join& join) {
     case pb::Join::kAligner:
     case pb::Join::kModeler:
       return {};
-    case pb::Join::ROLE_NOT_SET:
-      break;
+    default:
+      return malformed("a Join must be a sensor's, a viewer's, an aligner's or a modeler's");
   }
-  return malformed("a Join must be a sensor's, a viewer's or an aligner's");
 }
 
 /// Whether a point (x, y, z in metres) is in the allowed range.

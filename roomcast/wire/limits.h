@@ -22,6 +22,7 @@ inline constexpr std::size_t kMaxUnjoinedConnections = 256;
 inline constexpr std::size_t kMaxSensors = 32;
 inline constexpr std::size_t kMaxViewers = 2048;
 inline constexpr std::size_t kMaxAligners = 4;
+inline constexpr std::size_t kMaxModelers = 2;
 inline constexpr std::size_t kMaxQueuedControlMessages = 64;  // per connection
 
 // Sending limits of one connection: sustained rates, and bursts, which follow a network stall.

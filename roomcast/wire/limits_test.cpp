@@ -27,6 +27,7 @@ TEST(Limits, are_those_of_the_spec) {
   EXPECT_EQ(kMaxRevokedTokens, 256);
   EXPECT_EQ(kMaxNoiseRatio, 1000);
   EXPECT_EQ(kMaxAligners, 4u);
+  EXPECT_EQ(kMaxModelers, 2u);
   EXPECT_EQ(kJoinDeadline, 5s);
   EXPECT_EQ(kMaxUnjoinedConnections, 256u);
   EXPECT_EQ(kMaxSensors, 32u);

@@ -52,6 +52,8 @@ RequiredAccess required_of(const pb::Join& join, const RoomSettings& room) {
         return {AccessRule::kAdmin, TokenRole::kAdmin, "play recordings of"};
       if (join.viewer().relays()) return {room.view, TokenRole::kHub, "relay"};
       return {room.view, TokenRole::kViewer, "view"};
+    case pb::Join::kModeler:
+      return {AccessRule::kAdmin, TokenRole::kAdmin, "fuse a model of"};
     default:
       return {AccessRule::kAdmin, TokenRole::kAdmin, "place sensors in"};
   }

@@ -163,6 +163,7 @@ RoomActions Room::leave(ConnectionId from, RoomTime now) {
   } else if (!playback_.remove(from)) {
     std::erase(aligners_, from);
     std::erase(backplane_aligners_, from);
+    std::erase(modelers_, from);
     if (forget_people(remote_presence_.forget(from))) send_roster_when_due(now, out);
     if (aligners_.empty() && wire::wants_any(wanted_sightings_)) ask_for_sightings({}, out);
   }
@@ -215,7 +216,7 @@ void Room::send_roster(RoomTime now, RoomActions& out) {
   for (RoomSensor& sensor : sensors_.all()) follow_surface(sensor);
   views_.expect_change(now);
   const bool people_changed = std::exchange(roster_changed_, false);
-  if (viewers_.empty() && aligners_.empty()) return;
+  if (viewers_.empty() && aligners_.empty() && modelers_.empty()) return;
   next_roster_ = now + wire::kRosterInterval;
   if (people_changed) poses_.resend_all();
   out.push_back(SendControl{readers_of_roster(), roster_message()});
@@ -248,6 +249,7 @@ std::vector<ConnectionId> Room::viewer_connections() const {
 std::vector<ConnectionId> Room::readers_of_roster() const {
   std::vector<ConnectionId> connections = viewer_connections();
   connections.insert(connections.end(), aligners_.begin(), aligners_.end());
+  connections.insert(connections.end(), modelers_.begin(), modelers_.end());
   return connections;
 }
 

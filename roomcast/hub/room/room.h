@@ -135,6 +135,7 @@ class Room {
   [[nodiscard]] bool is_full() const;
   [[nodiscard]] RoomActions refuse_as_full(ConnectionId from, RoomTime now);
   void join_aligner(ConnectionId from, const Entry& entry, RoomTime now, RoomActions& out);
+  void join_modeler(ConnectionId from, const Entry& entry, RoomTime now, RoomActions& out);
   [[nodiscard]] wire::pb::Control welcome_message(const Entry& entry) const;
   [[nodiscard]] bool is_watched() const;
   [[nodiscard]] bool wants_all() const;
@@ -200,6 +201,7 @@ class Room {
   std::unordered_map<ConnectionId, Viewer> viewers_;
   std::vector<ConnectionId> aligners_;
   std::vector<ConnectionId> backplane_aligners_;  // of these, those that forward poses to hubs
+  std::vector<ConnectionId> modelers_;
   wire::pb::SightingRequest wanted_sightings_;
   wire::pb::Control other_hubs_;  // the other hubs that have this room; empty: none
   RemotePresence remote_presence_;

@@ -45,8 +45,8 @@ struct RestartSensor {
 };
 
 /// kHub: a viewer that relays the room to viewers of its own. kPlayer: a viewer that plays a
-/// recording and gets no frames.
-enum class Role { kSensor, kViewer, kHub, kPlayer, kAligner };
+/// recording and gets no frames. kModeler gets key frames only.
+enum class Role { kSensor, kViewer, kHub, kPlayer, kAligner, kModeler };
 
 /// The connection was accepted in this role. From now on a sensor may send frames, and a viewer
 /// gets them.

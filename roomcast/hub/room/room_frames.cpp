@@ -79,7 +79,7 @@ std::size_t Room::sensors_in_each_set() const {
 void Room::send_closed_sets(RoomTime now, RoomActions& out) {
   for (FrameSetPtr& set : sets_.take_closed(now)) {
     count_set(*set, sensors_in_each_set(), set_stats_);
-    if (!viewers_.empty()) out.emplace_back(SendSet{std::move(set)});
+    if (!viewers_.empty() || !modelers_.empty()) out.emplace_back(SendSet{std::move(set)});
   }
 }
 

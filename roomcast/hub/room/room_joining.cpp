@@ -42,6 +42,9 @@ RoomActions Room::join(ConnectionId from, const pb::Join& join, const Entry& ent
     case pb::Join::kAligner:
       join_aligner(from, entry, now, out);
       break;
+    case pb::Join::kModeler:
+      join_modeler(from, entry, now, out);
+      break;
     default:
       if (join.viewer().plays().empty())
         join_viewer(from, join, entry, now, out);
@@ -197,6 +200,19 @@ void Room::join_aligner(ConnectionId from, const Entry& entry, RoomTime now, Roo
   for (const RoomSensor& sensor : sensors_.all()) {
     if (sensor.connection && sensor.bundle) out.push_back(SendControl{{from}, *sensor.bundle});
   }
+}
+
+/// A modeler is nobody in the room: no sensor sends for it, and it is in no roster.
+void Room::join_modeler(ConnectionId from, const Entry& entry, RoomTime now, RoomActions& out) {
+  if (modelers_.size() >= wire::kMaxModelers) {
+    out = refuse(from, pb::ERROR_ROOM_FULL, "this room has as many modelers as it may have", now);
+    return;
+  }
+  modelers_.push_back(from);
+  out.push_back(AcceptConnection{from, Role::kModeler});
+  out.push_back(SetDetails{from, SensorDetails(wire::kMaxSensors, Detail::kKeyFrames)});
+  out.push_back(SendControl{{from}, welcome_message(entry)});
+  out.push_back(SendControl{{from}, roster_message()});
 }
 
 /// Removes offline sensors that have no estimated pose, oldest first, until a sensor of this name

@@ -21,6 +21,7 @@ bool is_fault(pb::ErrorCode code) {
 std::string_view role_of(const pb::Join& join) {
   if (join.has_sensor()) return "sensor";
   if (join.has_aligner()) return "aligner";
+  if (join.has_modeler()) return "modeler";
   return join.viewer().relays() ? "hub" : "viewer";
 }
 

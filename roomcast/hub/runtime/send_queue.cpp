@@ -116,6 +116,7 @@ void SendQueue::set_details(SensorDetails details) {
 bool SendQueue::is_wanted(const wire::FrameHeader& header, bool base_only) const {
   const Detail detail = detail_of(details_, header.sensor);
   if (detail == Detail::kPaused) return false;
+  if (detail == Detail::kKeyFrames) return header.key;
   return header.layer == 0 || (!base_only && detail == Detail::kAll);
 }
 

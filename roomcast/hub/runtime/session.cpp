@@ -50,6 +50,7 @@ const wire::SendingLimits& SessionLimits::of(Role role) const {
       return aligner;
     case Role::kViewer:
     case Role::kPlayer:
+    case Role::kModeler:
       break;
   }
   return viewer;

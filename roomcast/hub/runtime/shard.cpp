@@ -72,7 +72,8 @@ void Shard::accept(ConnectionId connection, Role role, RoomId room) {
     if (session == nullptr) return;
     session->accept(role);
     --unjoined_;
-    if (role == Role::kViewer || role == Role::kHub) viewers_[room].sessions.push_back(session);
+    const bool gets_frames = role == Role::kViewer || role == Role::kHub || role == Role::kModeler;
+    if (gets_frames) viewers_[room].sessions.push_back(session);
   });
 }
 

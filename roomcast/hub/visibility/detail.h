@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Detail: which of a sensor's frames a viewer gets.
+// Detail: which of a sensor's frames a viewer or a modeler gets.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,9 @@
 namespace roomcast::hub {
 
 enum class Detail : std::uint8_t {
-  kPaused,    // none
-  kBaseOnly,  // those of layer 0
+  kPaused,     // none
+  kKeyFrames,  // key frames
+  kBaseOnly,   // those of layer 0
   kAll,
 };
 
