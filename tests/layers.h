@@ -158,6 +158,10 @@ inline const std::vector<Layer> kLayers = {
      "client client/room core net recording/room wire"},
     {"recording/live_sets",
      "client/room codec core recording/frame_sets recording/recorder"},
+    {"recording/modeler",
+     "client client/room codec core geometry model recording/export recording/frame_sets "
+     "recording/live_sets recording/mesh",
+     "hub/server"},
     {"simulator/random",
      ""},
     {"simulator/scene",
@@ -276,7 +280,7 @@ inline const std::vector<Layer> kLayers = {
      "wire"},
     {"hub/daemon",
      "alignment/service core hub/config hub/federation/cluster hub/federation/upstream "
-     "hub/access hub/runtime hub/server io net net/tls recording/bytes recording/recorder recording/room study wire"},
+     "hub/access hub/runtime hub/server io net net/tls recording/bytes recording/modeler recording/recorder recording/room study wire"},
     {"doctor",
      "core hub/daemon net render/gl source/camera source/drivers",
      "hub/server"},

@@ -22,6 +22,7 @@
 #include "roomcast/client/subscriber.h"
 #include "roomcast/hub/daemon/data_folder.h"
 #include "roomcast/hub/daemon/hub_aligners.h"
+#include "roomcast/hub/daemon/hub_models.h"
 #include "roomcast/hub/daemon/hub_recorders.h"
 #include "roomcast/hub/server/hub_server.h"
 #include "roomcast/recording/dataset/recording.h"
@@ -213,7 +214,12 @@ Status run_demo(const DemoOptions& options) {
   hub_options.web_directory = find_web_directory(options.web);
   hub_options.log = stderr_log("demo", options.verbose);
   hub::daemon::HubAligners aligners(hub_options.log);
-  hub_options.on_room_in_use = [&aligners](const std::string& room) { aligners.start(room); };
+  const auto models = std::make_shared<hub::daemon::HubModels>(std::nullopt, hub_options.log);
+  hub_options.models = models;
+  hub_options.on_room_in_use = [&aligners, models](const std::string& room) {
+    aligners.start(room);
+    models->start(room);
+  };
   const auto recorders = make_recorders(options, hub_options.log);
   hub_options.recordings = recorders;
   if (options.admin_link) {
@@ -224,6 +230,7 @@ Status run_demo(const DemoOptions& options) {
   const hub::daemon::OwnHub own{.port = (*hub)->port(), .certificate = {}};
   aligners.serve(own, (*hub)->own_token());
   if (recorders) recorders->serve(own, (*hub)->own_token());
+  models->serve(own, (*hub)->own_token());
   const std::jthread hub_thread([&hub](const std::stop_token& end) { (*hub)->run(end); });
 
   auto feeds = start_feeds(options, *specs, (*hub)->port(), stop.token());

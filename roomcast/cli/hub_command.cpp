@@ -24,6 +24,7 @@
 #include "roomcast/hub/daemon/data_folder.h"
 #include "roomcast/hub/daemon/hub_aligners.h"
 #include "roomcast/hub/daemon/hub_certificate.h"
+#include "roomcast/hub/daemon/hub_models.h"
 #include "roomcast/hub/daemon/hub_recorders.h"
 #include "roomcast/hub/daemon/hub_settings.h"
 #include "roomcast/hub/daemon/hub_study.h"
@@ -191,6 +192,15 @@ std::shared_ptr<hub::daemon::HubRecorders> make_recorders(
               : nullptr;
 }
 
+/// Null where none are to be kept.
+std::shared_ptr<hub::daemon::HubModels> make_models(
+    const hub::HubConfig& config, const std::optional<std::filesystem::path>& data,
+    const LogSink& log) {
+  if (!config.model) return nullptr;
+  return std::make_shared<hub::daemon::HubModels>(
+      data ? std::optional(*data / "models") : std::nullopt, log);
+}
+
 /// Null where none is configured.
 Result<std::shared_ptr<hub::daemon::HubStudy>> open_study(
     const hub::HubConfig& config, const std::optional<std::filesystem::path>& data) {
@@ -257,12 +267,15 @@ Status run_hub(const HubFlags& flags) {
   options.log = log;
   const auto recorders = make_recorders(plan->config, options.data_folder, log);
   options.recordings = recorders;
+  const auto models = make_models(plan->config, options.data_folder, log);
+  options.models = models;
   auto study = open_study(plan->config, options.data_folder);
   if (!study) return study.error();
   options.study = *study;
   options.on_room_in_use = [&, config = plan->config](const std::string& room) {
     if (config.align && config.nats_servers.empty()) aligners.start(room);
     if (config.record && recorders) (void)recorders->start(room, "");
+    if (models) models->start(room);
   };
   options.open_backplane = backplane_of(*plan, aligners, log);
   auto server = hub::HubServer::open(std::move(options));
@@ -274,9 +287,11 @@ Status run_hub(const HubFlags& flags) {
                                                    : std::nullopt};
   aligners.serve(own, (*server)->own_token());
   if (recorders) recorders->serve(own, (*server)->own_token());
+  if (models) models->serve(own, (*server)->own_token());
   const auto trust = [&](const net::Fingerprint& certificate) {
     aligners.trust(certificate);
     if (recorders) recorders->trust(certificate);
+    if (models) models->trust(certificate);
   };
   const auto watch = watch_certificate(*plan, **server, trust, reload, log);
   if (::geteuid() == 0) {

@@ -46,6 +46,8 @@ void add_room_flags(CLI::App& command, HubFlags& flags) {
       ->check(CLI::IsMember({"anyone", "token", "auto"}));
   command.add_flag("--no-align", flags.no_align,
                    "Do not align sensors; use only the poses that they supply");
+  command.add_flag("--no-model", flags.no_model,
+                   "Do not keep a model of what stands still in the rooms");
   command.add_option("--recordings", flags.recordings,
                      "Folder for recordings by admins (default: recordings, in that of --data)");
   command.add_option("--study", flags.study,
@@ -121,6 +123,7 @@ hub::HubConfig with_flags(hub::HubConfig config, const HubFlags& flags) {
   config.insecure |= flags.insecure;
   // With upstream hubs, these place the sensors.
   config.align &= !flags.no_align && config.upstream_hubs.empty();
+  config.model &= !flags.no_model;
   return config;
 }
 

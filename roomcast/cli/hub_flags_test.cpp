@@ -41,6 +41,7 @@ TEST(HubFlags, flags_override_the_file) {
 TEST(HubFlags, a_hub_that_relays_leaves_placing_to_the_other) {
   EXPECT_TRUE(told("").align);
   EXPECT_FALSE(told("--no-align").align);
+  EXPECT_FALSE(told("--no-model").model);
   EXPECT_FALSE(told("--upstream ws://a").align);
 }
 

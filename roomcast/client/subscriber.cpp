@@ -32,6 +32,10 @@ wire::pb::Join join_message(const SubscriberOptions& options) {
   join.set_room(options.room);
   show(options.credential, join);
   join.set_name(options.name);
+  if (options.is_modeler) {
+    join.mutable_modeler();
+    return join;
+  }
   join.mutable_viewer()->set_hears(options.hears);
   join.mutable_viewer()->set_author_key(options.author_key.empty() ? new_author_key()
                                                                    : options.author_key);

@@ -26,6 +26,9 @@ struct SubscriberOptions {
   Credential credential = {};
   std::string name;    // shown to others; may be empty
   bool hears = false;  // gets people's voices, and who is speaking
+  /// It fuses the room's model: gets key frames only, no sensor sends for it, and it is in no
+  /// roster. Takes an admin's token.
+  bool is_modeler = false;
   /// A secret of this program, by which its marks are its own later; empty: a new one.
   std::string author_key = {};
   LogSink log;

@@ -24,6 +24,9 @@ struct ModelOptions {
   /// A reading belongs to the surface at a pixel when it is this close: sigmas of the noise law,
   /// and a constant.
   float same_surface_sigmas = 4, same_surface_m = 0.004F;
+  /// Readings in the mean of a pixel; later ones replace the oldest. With fewer, furniture that was
+  /// moved is forgotten sooner.
+  int memory_frames = 120;
   /// Surfaces of fewer triangles, connected with nothing else, are stray readings.
   int min_triangles = 100;
   std::size_t max_bytes = 200'000'000;  // of the volume
@@ -38,6 +41,7 @@ struct ModelOptions {
     visit("bias_per_depth", bias_per_depth, Range{0, 0.1});
     visit("same_surface_sigmas", same_surface_sigmas, Range{1, 20});
     visit("same_surface_m", same_surface_m, Range{0, 0.1});
+    visit("memory_frames", memory_frames, Range{3, 120});
   }
   [[nodiscard]] Status check() const { return check_fields("ModelOptions", *this); }
 };

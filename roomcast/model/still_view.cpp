@@ -91,7 +91,7 @@ void StillView::add(DepthView depth_mm, ColorView color, MaskView color_seen) {
 
 void StillView::add_reading(float z_mm, Pixel& pixel) const {
   const auto join = [&](float& mean_mm, std::uint8_t& count) {
-    count = static_cast<std::uint8_t>(std::min(count + 1, kMaxCount));
+    count = static_cast<std::uint8_t>(std::min(count + 1, options_.memory_frames));
     mean_mm += (z_mm - mean_mm) / static_cast<float>(count);
   };
   if (pixel.count == 0 || is_same(z_mm, pixel.mean_mm)) {
@@ -106,7 +106,7 @@ void StillView::add_reading(float z_mm, Pixel& pixel) const {
   const bool farther = pixel.other_mm > pixel.mean_mm;
   const float share = farther ? kFartherShare : kNearerShare;
   // A full count says no more than "for long".
-  const auto limit = std::min(share * static_cast<float>(pixel.count), kMaxCount - 1.0F);
+  const auto limit = std::min(share * static_cast<float>(pixel.count), static_cast<float>(options_.memory_frames) - 1);
   if (static_cast<float>(pixel.other_count) <= limit) return;
   if (farther && pixel.other_count < kMinFartherCount) return;
   std::swap(pixel.mean_mm, pixel.other_mm);
@@ -115,8 +115,8 @@ void StillView::add_reading(float z_mm, Pixel& pixel) const {
   pixel.color_count = 0;
 }
 
-void StillView::add_color(Rgb8 color, Pixel& pixel) {
-  pixel.color_count = static_cast<std::uint8_t>(std::min(pixel.color_count + 1, kMaxCount));
+void StillView::add_color(Rgb8 color, Pixel& pixel) const {
+  pixel.color_count = static_cast<std::uint8_t>(std::min(pixel.color_count + 1, options_.memory_frames));
   const std::array<int, 3> levels = {color.r, color.g, color.b};
   for (std::size_t i = 0; i < 3; ++i) {
     const int mean = pixel.color[i];

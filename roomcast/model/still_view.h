@@ -47,14 +47,12 @@ class StillView {
   [[nodiscard]] float depth_mm(int x, int y) const;
   /// False for a surface that was read in fewer than three of more frames: it may be stray light.
   [[nodiscard]] bool is_sure(int x, int y) const;
-  /// Readings in that mean, at most kMaxCount.
+  /// Readings in that mean, at most ModelOptions::memory_frames.
   [[nodiscard]] int count(int x, int y) const { return pixels_.at(x, y).count; }
   [[nodiscard]] bool has_color(int x, int y) const { return pixels_.at(x, y).color_count > 0; }
   [[nodiscard]] Rgb8 color(int x, int y) const;
   /// The sensor's noise law: standard deviation of a reading.
   [[nodiscard]] float sigma_mm(float depth_mm) const;
-
-  static constexpr int kMaxCount = 120;  // later readings replace the oldest ones
 
  private:
   struct Pixel {
@@ -66,7 +64,7 @@ class StillView {
             const ModelOptions& options);
   [[nodiscard]] bool is_same(float a_mm, float b_mm) const;
   void add_reading(float z_mm, Pixel& pixel) const;
-  static void add_color(Rgb8 color, Pixel& pixel);
+  void add_color(Rgb8 color, Pixel& pixel) const;
 
   CameraIntrinsics camera_;
   RigidTransform world_from_depth_;

@@ -23,10 +23,7 @@ Status RoomRenderer::set_sensor(SensorId id, const CameraIntrinsics& depth,
   const auto known = sensors_.find(id);
   if (known != sensors_.end() && known->second.surface.intrinsics() == depth) {
     RigidTransform& pose = known->second.world_from_depth;
-    if (pose.rotation == world_from_depth.rotation &&
-        pose.translation_m == world_from_depth.translation_m) {
-      return {};
-    }
+    if (pose == world_from_depth) return {};
     pose = world_from_depth;
     for (auto& [other, sensor] : sensors_) sensor.model_is_fresh = false;
     return {};

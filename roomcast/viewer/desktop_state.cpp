@@ -17,8 +17,7 @@ const Eigen::Vector3d kPointerPlace_m(0.18, -0.22, -0.1);
 
 bool is_same(const render::ViewCamera& a, const render::ViewCamera& b) {
   return a.width == b.width && a.height == b.height && a.vertical_fov_rad == b.vertical_fov_rad &&
-         a.world_from_view.rotation == b.world_from_view.rotation &&
-         a.world_from_view.translation_m == b.world_from_view.translation_m;
+         a.world_from_view == b.world_from_view;
 }
 
 bool draw_the_same(const ViewSettings& a, const ViewSettings& b) {

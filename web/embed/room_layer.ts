@@ -88,7 +88,7 @@ export class RoomLayer extends THREE.Group implements Layer {
     placed.follow(placed.entry, true);
     placed.surface.setKind(this.mode);
     placed.setStep(this.step);
-    placed.updateVisible(false);
+    placed.updateVisible('apart');
     this.placed.set(id, placed);
     this.add(placed.surface.root);
   }
@@ -103,7 +103,7 @@ export class RoomLayer extends THREE.Group implements Layer {
     const placed = this.placed.get(frame.sensor);
     if (placed?.pictures.lens.width !== frame.width || placed.pictures.lens.height !== frame.height) return;
     placed.pictures.show(frame, renderer);
-    placed.updateVisible(false);
+    placed.updateVisible('apart');
   }
 
   private become(changes: Partial<RoomLayerState>): void {

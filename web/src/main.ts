@@ -8,6 +8,7 @@ import type { ViewerEntry, ViewerPose, Voices, Welcome } from './gen/control_pb'
 import type { EmbeddedParts } from './embedding/embedded';
 import { dressPage, isFramed, visitStorage } from './embedding/frame';
 import { enterHeadset, headsetOf } from './headset_view';
+import { LazyModel } from './lazy_model';
 import { LazyPlayback } from './lazy_playback';
 import { Look } from './look';
 import { Marking } from './marking';
@@ -54,7 +55,7 @@ class Page {
   readonly panel: Panel;
   private readonly progress: Progress;
   private readonly console: RoomConsole;
-  private readonly api: HubApi;
+  readonly api: HubApi;
   private readonly look: Look;
   readonly posePublisher: PosePublisher;
   private readonly link: RoomLink;
@@ -71,6 +72,7 @@ class Page {
     people: (viewers, poses) => this.joinedBy(viewers, poses),
     failed: () => this.breakDown(problemTexts.noPlayback),
   });
+  private readonly model = new LazyModel(() => this);
   private readonly nudges = new SensorNudges();
   private readonly places = new RoomPlaces(browserStorage.store, () => this);
   private company: ViewerEntry[] = []; // who plays the same recording
@@ -79,7 +81,7 @@ class Page {
   private setAtHand = 0n;
 
   constructor(
-    private readonly options: PageOptions,
+    readonly options: PageOptions,
     private readonly access: Access,
   ) {
     const name = options.study ? anyParticipant : ownName(options.name, browserStorage.store);
@@ -126,9 +128,8 @@ class Page {
       changed: () => this.places.show(),
     });
     const { room, record, playback } = options;
-    const hears = hearingObstacle(soundSupport()) === '';
     this.link = new RoomLink(
-      { socketUrl: socketUrl(location), room, record, playback, name, access, hears, authorKey: authorKey(browserStorage.store) },
+      { socketUrl: socketUrl(location), room, record, playback, name, access, hears: hearingObstacle(soundSupport()) === '', authorKey: authorKey(browserStorage.store) },
       (message) => this.receive(message),
     );
     this.begin();
@@ -339,11 +340,11 @@ class Page {
 
   private drawn(withFrames: boolean): void {
     if (!withFrames) return;
-    const frames = this.atHand;
-    this.atHand = [];
+    const frames = this.atHand.splice(0);
     this.state.framesShown(this.setAtHand, frames, pageTime_ms());
     this.link.shown(frames);
     this.playback.drawn(frames);
+    this.model.drawn();
   }
 
   private refresh(now_ms: number, frame: XRFrame | undefined): void {
@@ -370,8 +371,7 @@ class Page {
   }
 
   private refreshWords(): void {
-    const { stage } = this;
-    if (stage) this.panel.showDrawing(stage.room.drawing, stage.quality);
+    if (this.stage) this.panel.showDrawing(this.stage.room.drawing, this.stage.quality);
     this.panel.refresh();
     this.progress.refresh();
     if (this.standpoint) this.panel.showMap(this.standpoint.current);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses the options in the page's URL: ?mode=blend|mesh|points &at=x,y,z &look=x,y,z &panel=0 &name=... &room=...
+// Parses the options in the page's URL: ?mode=blend|mesh|points|still &at=x,y,z &look=x,y,z &panel=0 &name=... &room=...
 // &quality=best &play=recording &from=seconds &study=1 &record=1 &controls=none &muted=1 &place=name. After the # are the credential (access.ts) and a shared viewpoint (view/view_address.ts), which
 // takes precedence.
 import { Vector3 } from 'three';

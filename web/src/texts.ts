@@ -78,6 +78,7 @@ export const panelTexts = {
     blend: { label: 'Blended', title: 'The surfaces of all sensors, mixed' },
     mesh: { label: 'Surfaces', title: 'The nearest surface of any sensor' },
     points: { label: 'Points', title: 'A square for each reading' },
+    still: { label: 'Still', title: 'What stands still, fused from all sensors: the room without people' },
   },
   drawing: {
     notBlended: 'This machine is too slow to blend them: the nearest surface is drawn.',
@@ -116,6 +117,7 @@ export const qualityTexts = {
   blended: 'blended',
   nearest: 'the nearest surface',
   points: 'points',
+  still: 'The model of what stands still',
   sensors: (shown: number, wanted: number) =>
     shown < wanted ? `${shown} of ${wanted} sensors` : wanted === 1 ? 'the only sensor' : `all ${wanted} sensors`,
   screen: (ratio: number) => `${(100 * ratio).toFixed(0)} % of the screen’s resolution`,

@@ -101,6 +101,11 @@ bool may_know_of(const RoomSettings& room, const Claims* claims) {
   return room.listed || (claims != nullptr && covers(claims->grant, room.name));
 }
 
+bool may_view(const RoomSettings& room, const Claims* claims) {
+  const bool is_of_room = claims != nullptr && covers(claims->grant, room.name);
+  return meets(room.view, is_of_room ? claims : nullptr, TokenRole::kViewer);
+}
+
 Verdict<Entry> decide_entry(const pb::Join& join, const Claims* claims, const FindRoom& find_room,
                             const std::string& only_listed_room) {
   const std::string name = wanted_room(join, claims, only_listed_room);

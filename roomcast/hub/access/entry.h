@@ -43,4 +43,7 @@ using FindRoom = std::function<const RoomSettings*(const std::string& name)>;
 /// Whether a client with these claims (null: none) may learn that this room exists.
 [[nodiscard]] bool may_know_of(const RoomSettings& room, const Claims* claims);
 
+/// Whether it may see what viewers see. The claims are of a token for this room.
+[[nodiscard]] bool may_view(const RoomSettings& room, const Claims* claims);
+
 }  // namespace roomcast::hub

@@ -57,11 +57,12 @@ net::HttpResponse no_object() {
 }  // namespace
 
 AdminApi::AdminApi(RoomRegistry& registry, StoreWorker& store_worker, std::string version,
-                   RoomRecordings* recordings, StudyDesk* study, LogSink log)
+                   RoomRecordings* recordings, StudyDesk* study, RoomModels* models, LogSink log)
     : registry_(registry),
       store_worker_(store_worker),
       version_(std::move(version)),
       recordings_(recordings),
+      models_(models),
       auth_(registry, store_worker, std::move(log)),
       study_(study) {}
 
@@ -103,6 +104,8 @@ void AdminApi::apply(const Call& call) {
       return open_room(call);
     case AdminCall::kRoom:
       return room(call);
+    case AdminCall::kRoomModel:
+      return room_model(call);
     case AdminCall::kDownload:
       return download(call);
     case AdminCall::kListTokens:

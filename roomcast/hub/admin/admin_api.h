@@ -16,6 +16,7 @@
 #include "roomcast/hub/admin/admin_routes.h"
 #include "roomcast/hub/admin/download_links.h"
 #include "roomcast/hub/admin/study_api.h"
+#include "roomcast/hub/runtime/room_models.h"
 #include "roomcast/hub/runtime/room_recordings.h"
 #include "roomcast/hub/runtime/room_registry.h"
 #include "roomcast/hub/runtime/watch_party.h"
@@ -26,9 +27,10 @@ namespace roomcast::hub {
 
 class AdminApi {
  public:
-  /// `recordings`: null if rooms cannot be recorded. `study`: null if there is none.
+  /// `recordings`: null if rooms cannot be recorded. `study`, `models`: null if there are none.
   AdminApi(RoomRegistry& registry, StoreWorker& store_worker, std::string version,
-           RoomRecordings* recordings, StudyDesk* study = nullptr, LogSink log = {});
+           RoomRecordings* recordings, StudyDesk* study = nullptr, RoomModels* models = nullptr,
+           LogSink log = {});
 
   void answer(const net::HttpRequest& request, net::Respond respond);
 
@@ -49,6 +51,7 @@ class AdminApi {
   void list_hubs(const Call& call) const;
   void list_rooms(const Call& call) const;
   void room(const Call& call) const;
+  void room_model(const Call& call) const;
   void open_room(const Call& call);
   void change_room(const Call& call);
   void close_room(const Call& call);
@@ -87,6 +90,7 @@ class AdminApi {
   StoreWorker& store_worker_;
   const std::string version_;
   RoomRecordings* const recordings_;
+  RoomModels* const models_;
   DownloadLinks downloads_;
   WatchParties parties_;
   AdminAuth auth_;

@@ -120,6 +120,16 @@ class FakeRecordings final : public RoomRecordings {
   static Error busy() { return {ErrorCode::kInvalidArgument, "not now"}; }
 };
 
+/// The room "lab" has version 7 of a model.
+class FakeModels final : public RoomModels {
+ public:
+  [[nodiscard]] std::shared_ptr<const std::string> changes_after(
+      const std::string& room, std::uint64_t known) const override {
+    if (room != "lab" || known >= 7) return nullptr;
+    return std::make_shared<const std::string>("after " + std::to_string(known));
+  }
+};
+
 class QuietConnection final : public Connection {
  public:
   using Connection::Connection;
@@ -169,12 +179,14 @@ class AdminApiTest : public testing::Test {
   RoomRegistry registry{
       {.hub_version = "test", .configured_rooms = {"lab"}}, io, store_worker, shards};
   FakeRecordings recordings;
+  FakeModels models;
   std::map<std::string, std::string, std::less<>> logged;  // from the last line with fields
   AdminApi api{registry,
                store_worker,
                "test",
                &recordings,
                nullptr,
+               &models,
                [this](LogLevel, std::string_view, LogFields fields) {
                  for (const auto& [key, value] : fields) logged[std::string(key)] = value;
                }};

@@ -25,6 +25,8 @@ constexpr std::array kRoutes = {
     AdminRoute{"DELETE", "/rooms/{room}/viewers/{viewer}", AdminCall::kEndViewer},
     AdminRoute{"GET", "/rooms/{room}/events", AdminCall::kListEvents},
     AdminRoute{"GET", "/rooms/{room}/events/after/{event}", AdminCall::kListEvents},
+    AdminRoute{"GET", "/rooms/{room}/model", AdminCall::kRoomModel, false},
+    AdminRoute{"GET", "/rooms/{room}/model/after/{version}", AdminCall::kRoomModel, false},
     AdminRoute{"GET", "/rooms/{room}/recording", AdminCall::kRecording},
     AdminRoute{"POST", "/rooms/{room}/recording", AdminCall::kStartRecording},
     AdminRoute{"DELETE", "/rooms/{room}/recording", AdminCall::kStopRecording},

@@ -27,6 +27,7 @@ enum class AdminCall {
   kChangeViewer,
   kEndViewer,
   kListEvents,
+  kRoomModel,
   kRecording,
   kStartRecording,
   kStopRecording,

@@ -46,6 +46,7 @@ class StudyApiTest : public AdminApiTest {
                       "test",
                       &recordings,
                       &desk,
+                      nullptr,
                       [this](LogLevel, std::string_view, LogFields fields) {
                         for (const auto& [key, value] : fields) audit[std::string(key)] = value;
                       }};

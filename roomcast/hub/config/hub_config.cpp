@@ -41,6 +41,7 @@ const std::vector<NamedField>& fields() {
       {"study.plan", &HubConfig::study},
       {"study.folder", &HubConfig::study_folder},
       {"align", &HubConfig::align},
+      {"model", &HubConfig::model},
       {"log", &HubConfig::log},
       {"metrics", &HubConfig::metrics},
       {"tls.cert", &HubConfig::tls_cert},

@@ -33,6 +33,7 @@ struct HubConfig {
   std::string study_folder;      // of its sessions; empty: study-NAME in that of `data`
   bool record = false;           // record every room from its first sensor on
   bool align = true;             // estimate sensor poses
+  bool model = true;             // keep a model of what stands still in each room
   std::string log = "text";      // or "json"
   std::string metrics = "auto";  // "anyone", "token"; auto: anyone, if no room is private and the
                                  // hub serves this machine only

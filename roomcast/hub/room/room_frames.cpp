@@ -92,9 +92,7 @@ void Room::follow_surface(RoomSensor& sensor) {
     sensor.surface_pose.reset();
     return culling_.forget_sensor(sensor.id);
   }
-  const auto& placed = sensor.surface_pose;
-  if (placed && placed->rotation == pose.rotation && placed->translation_m == pose.translation_m)
-    return;
+  if (sensor.surface_pose == pose) return;
   sensor.surface_pose = pose;
   culling_.set_surface(
       sensor.id, seen_surface(*sensor.coarse_depth, sensor.description.calibration().depth(), pose,

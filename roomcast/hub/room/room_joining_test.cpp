@@ -128,5 +128,29 @@ TEST_F(RoomTest, a_room_holds_so_many_sensors_and_viewers_and_no_more) {
   EXPECT_EQ(all<Disconnect>(actions)[0].code, pb::ERROR_ROOM_FULL);
 }
 
+TEST_F(RoomTest, a_modeler_gets_key_frames_and_is_nobody_in_the_room) {
+  const auto sensor = enter(sensor_join("left"));
+  const auto modeler = enter(modeler_join());
+  EXPECT_EQ(all<AcceptConnection>(actions).at(0).role, Role::kModeler);
+  const auto details = all<SetDetails>(actions).at(0);
+  EXPECT_EQ(details.viewer, modeler);
+  EXPECT_EQ(detail_of(details.details, SensorId{wire::kMaxSensors - 1}), Detail::kKeyFrames);
+  EXPECT_EQ(newest_roster(actions).sensors_size(), 1);
+  EXPECT_EQ(newest_roster(actions).viewers_size(), 0);
+  EXPECT_FALSE(room.stats().frames_wanted) << "no sensor sends for it";
+  EXPECT_EQ(room.viewer_count(), 0u);
+  EXPECT_THAT(room.connections(), UnorderedElementsAre(sensor, modeler));
+  const auto left = room.leave(sensor, at(1s));
+  EXPECT_THAT(messages(left, pb::Control::kRoster).at(0).to, ElementsAre(modeler));
+  (void)room.leave(modeler, at(2s));
+  EXPECT_THAT(room.connections(), IsEmpty());
+}
+
+TEST_F(RoomTest, has_place_for_few_modelers) {
+  for (std::size_t i = 0; i < wire::kMaxModelers; ++i) enter(modeler_join());
+  const auto refused = room.join(ConnectionId{99}, modeler_join(), {}, at(0s));
+  EXPECT_EQ(all<Disconnect>(refused).at(0).code, pb::ERROR_ROOM_FULL);
+}
+
 }  // namespace
 }  // namespace roomcast::hub

@@ -57,6 +57,12 @@ inline pb::Join aligner_join() {
   return join;
 }
 
+inline pb::Join modeler_join() {
+  pb::Join join;
+  join.mutable_modeler();
+  return join;
+}
+
 /// A placement of the sensor with this ID at (x, 0, 0), x in metres.
 inline pb::Control placement_of(std::uint32_t sensor, double x) {
   pb::Control control;

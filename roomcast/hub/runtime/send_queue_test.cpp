@@ -263,5 +263,22 @@ TEST(SendQueue, control_messages_are_bounded) {
   EXPECT_FALSE(send_queue.push_control(some_message()));
 }
 
+TEST(SendQueue, a_modeler_gets_key_frames_and_asks_for_none) {
+  SendQueue send_queue;
+  send_queue.set_details({Detail::kKeyFrames, Detail::kKeyFrames});
+  const auto first = frame_set_of({{kSensor, 0, 0}, {kOtherSensor, 4, 3}}, some_message());
+  const auto second = frame_set_of({{kSensor, 1, 0}, {kOtherSensor, 5, 3}}, some_message());
+  const auto third = frame_set_of({{kSensor, 2, 0}, {kOtherSensor, 6, 6}}, some_message());
+  send_queue.push_set(first);
+  EXPECT_EQ(send_queue.next(), first->frames[0].message);
+  EXPECT_EQ(send_queue.next(), first->end);
+  send_queue.push_set(second);
+  EXPECT_EQ(send_queue.next(), nullptr);
+  send_queue.push_set(third);
+  EXPECT_EQ(send_queue.next(), third->frames[1].message);
+  EXPECT_EQ(send_queue.next(), nullptr);
+  EXPECT_THAT(send_queue.take_key_needs(), IsEmpty());
+}
+
 }  // namespace
 }  // namespace roomcast::hub

@@ -25,14 +25,14 @@ constexpr char kNoPage[] =
 HubPages::HubPages(std::optional<net::StaticSite> site, RoomRegistry& registry,
                    StoreWorker& store_worker, boost::asio::io_context& rooms_io,
                    bool metrics_for_anyone, std::string version, RoomRecordings* recordings,
-                   StudyDesk* study, const LogSink& log)
+                   StudyDesk* study, RoomModels* models, const LogSink& log)
     : site_(std::move(site)),
       registry_(registry),
       rooms_io_(rooms_io),
       metrics_for_anyone_(metrics_for_anyone),
       version_(version),
       accept_io_(registry, store_worker, log),
-      admin_(registry, store_worker, std::move(version), recordings, study, log) {}
+      admin_(registry, store_worker, std::move(version), recordings, study, models, log) {}
 
 std::vector<std::string> HubPages::request_paths() {
   return {"/api/", "/healthz", "/metrics"};

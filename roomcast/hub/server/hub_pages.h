@@ -26,7 +26,7 @@ class HubPages {
  public:
   HubPages(std::optional<net::StaticSite> site, RoomRegistry& registry, StoreWorker& store_worker,
            boost::asio::io_context& rooms_io, bool metrics_for_anyone, std::string version,
-           RoomRecordings* recordings, StudyDesk* study, const LogSink& log);
+           RoomRecordings* recordings, StudyDesk* study, RoomModels* models, const LogSink& log);
 
   /// Sets the server whose connections `/metrics` counts.
   void count_connections_of(const net::HttpServer& server) { server_ = &server; }

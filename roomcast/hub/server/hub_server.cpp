@@ -116,7 +116,8 @@ HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubStore> store,
   }
   pages_ = std::make_unique<HubPages>(
       std::move(site), *registry_, *store_worker_, io(), options_.metrics_for_anyone,
-      ROOMCAST_VERSION, options_.recordings.get(), options_.study.get(), options_.log);
+      ROOMCAST_VERSION, options_.recordings.get(), options_.study.get(), options_.models.get(),
+      options_.log);
 }
 
 // The store worker and questions about recordings and the study go first: their work ends, and

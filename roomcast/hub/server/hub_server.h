@@ -21,6 +21,7 @@
 #include "roomcast/hub/access/claims.h"
 #include "roomcast/hub/config/room_settings.h"
 #include "roomcast/hub/runtime/backplane.h"
+#include "roomcast/hub/runtime/room_models.h"
 #include "roomcast/hub/runtime/room_recordings.h"
 #include "roomcast/hub/runtime/session.h"
 #include "roomcast/hub/runtime/study_desk.h"
@@ -61,6 +62,7 @@ struct HubOptions {
   std::function<void(const std::string& room)> on_room_in_use = {};
   std::shared_ptr<RoomRecordings> recordings = {};  // null: rooms cannot be recorded
   std::shared_ptr<StudyDesk> study = {};            // null: this hub runs no study
+  std::shared_ptr<RoomModels> models = {};          // null: no room's model is kept
   OpenBackplane open_backplane = {};                // connects to other hubs; empty: there are none
   std::optional<Grant> first_link = {};             // makes link_fragment() a link with this grant
   LogSink log = {};                                 // called from all threads

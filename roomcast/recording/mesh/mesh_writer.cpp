@@ -74,8 +74,12 @@ Result<model::RoomMesh> mesh_room(RoomViews& views, const MeshWriterOptions& opt
   if (views.views() == 0)
     return Error{ErrorCode::kNotFound,
                  "no sensor of this recording is placed; align a rig with roomcast align --write"};
-  const auto surfaces = views.take_surfaces();
-  const Workers workers(0, stop);
+  return mesh_surfaces(views.take_surfaces(), options, progress, Workers(0, stop));
+}
+
+Result<model::RoomMesh> mesh_surfaces(std::span<const model::ViewSurface> surfaces,
+                                      const MeshWriterOptions& options,
+                                      const MeshProgress& progress, const Workers& workers) {
   const auto fusing = [&](std::size_t done, std::size_t total) {
     if (progress) progress("fusing surfaces", done, total);
   };
@@ -86,12 +90,12 @@ Result<model::RoomMesh> mesh_room(RoomViews& views, const MeshWriterOptions& opt
   model::remove_small_parts(options.model.min_triangles, mesh);
   if (mesh.triangles.empty())
     return Error{ErrorCode::kNotFound,
-                 "this recording shows no surface that stands still; choose another part of it, or "
+                 "no surface that stands still is shown; choose another part of the recording, or "
                  "another --crop"};
   const auto shared = model::shared_colors(surfaces, options.model, workers, mesh);
   const auto gains = model::color_gains(shared, surfaces.size());
   model::color_mesh(surfaces, gains, options.model, workers, mesh);
-  if (stop.stop_requested()) return Error{ErrorCode::kClosed, "interrupted"};
+  if (workers.stop.stop_requested()) return Error{ErrorCode::kClosed, "interrupted"};
   return mesh;
 }
 

@@ -7,12 +7,14 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string_view>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "roomcast/core/parallel_rows.h"
 #include "roomcast/model/model_options.h"
 #include "roomcast/model/room_mesh.h"
 #include "roomcast/recording/export/set_writer.h"
@@ -36,6 +38,12 @@ using MeshProgress =
 [[nodiscard]] Result<model::RoomMesh> mesh_room(RoomViews& views, const MeshWriterOptions& options,
                                                 const MeshProgress& progress,
                                                 const std::stop_token& stop);
+
+/// The mesh of these views, with colours. kNotFound if they show no surface; errors of fuse_views.
+[[nodiscard]] Result<model::RoomMesh> mesh_surfaces(std::span<const model::ViewSurface> surfaces,
+                                                    const MeshWriterOptions& options,
+                                                    const MeshProgress& progress,
+                                                    const Workers& workers);
 
 /// Creates the folder `out`. finish() makes the mesh and writes the files, unless `stop` was
 /// requested or add() failed. kInvalidArgument for options out of range; kUnavailable if the folder

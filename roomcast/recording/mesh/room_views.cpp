@@ -4,20 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "roomcast/recording/mesh/pose_change.h"
+
 namespace roomcast::recording {
 namespace {
-
-/// A pose that changes by less is known better, if the view stays the same; the sensor stands.
-constexpr double kRefined_m = 0.3, kRefinedTurn = 0.2;
-
-bool is_exactly(const RigidTransform& a, const RigidTransform& b) {
-  return a.translation_m == b.translation_m && a.rotation == b.rotation;
-}
-
-bool is_near(const RigidTransform& a, const RigidTransform& b) {
-  return (a.translation_m - b.translation_m).norm() < kRefined_m &&
-         (a.rotation - b.rotation).norm() < kRefinedTurn;
-}
 
 std::size_t pixels_of(const CameraIntrinsics& camera) {
   return static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
@@ -67,9 +57,9 @@ Result<std::optional<std::size_t>> RoomViews::view_of(const SetFrame& frame, boo
           ErrorCode::kNotFound,
           "it moves, and its poses are not known; a mesh needs a sensor that stands still, "
           "or poses"};
-    if (is_exactly(pose, still.world_from_depth()))
-      return agrees ? newest.view : std::optional<std::size_t>();
-    if (agrees && is_near(pose, still.world_from_depth())) {
+    const PoseChange change = pose_change(still.world_from_depth(), pose);
+    if (change == PoseChange::kNone) return agrees ? newest.view : std::optional<std::size_t>();
+    if (agrees && change == PoseChange::kRefined) {
       if (auto status = still.set_pose(pose); !status) return status.error();
       return newest.view;
     }

@@ -34,10 +34,6 @@ void copy(ImageView<const T> from, int step, Image<T>& to) {
   }
 }
 
-bool is_same(const RigidTransform& a, const RigidTransform& b) {
-  return a.rotation == b.rotation && a.translation_m == b.translation_m;
-}
-
 bool is_telling(Rgb8 color) {
   const auto [least, most] = std::minmax({color.r, color.g, color.b});
   return least >= kDarkest && most <= kBrightest;
@@ -114,7 +110,7 @@ std::vector<ColorMatching::Pair> ColorMatching::outdated(
       Comparison& known = comparisons_[{a, b}];
       const RigidTransform b_from_a = world_from_depth.at(b).inverse() * world_from_depth.at(a);
       if (known.version == picture.version && known.other_version == other.version &&
-          is_same(known.other_from_sensor, b_from_a)) {
+          known.other_from_sensor == b_from_a) {
         continue;
       }
       known.other_from_sensor = b_from_a;

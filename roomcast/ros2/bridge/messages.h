@@ -43,10 +43,7 @@ inline constexpr std::string_view kWorldFrame = "world";
 struct FramePose {
   std::string frame;
   RigidTransform world_from_frame;
-  friend bool operator==(const FramePose& a, const FramePose& b) {
-    return a.frame == b.frame && a.world_from_frame.rotation == b.world_from_frame.rotation &&
-           a.world_from_frame.translation_m == b.world_from_frame.translation_m;
-  }
+  friend bool operator==(const FramePose&, const FramePose&) = default;
 };
 /// tf2_msgs/TFMessage: `world` to each frame.
 [[nodiscard]] Bytes transforms(std::span<const FramePose> poses, nanoseconds time);

@@ -6,10 +6,6 @@
 namespace roomcast::viewer {
 namespace {
 
-bool is_same(const RigidTransform& a, const RigidTransform& b) {
-  return a.rotation == b.rotation && a.translation_m == b.translation_m;
-}
-
 bool is_same(const client::PointerBeam& a, const client::PointerBeam& b) {
   return a.from_m == b.from_m && a.to_m == b.to_m;
 }
@@ -20,9 +16,8 @@ bool is_same(const std::optional<Part>& a, const std::optional<Part>& b) {
 }
 
 bool is_same(const client::PersonPose& a, const client::PersonPose& b) {
-  return is_same(a.world_from_head, b.world_from_head) &&
-         is_same(a.world_from_left_hand, b.world_from_left_hand) &&
-         is_same(a.world_from_right_hand, b.world_from_right_hand) &&
+  return a.world_from_head == b.world_from_head && a.world_from_left_hand == b.world_from_left_hand &&
+         a.world_from_right_hand == b.world_from_right_hand &&
          is_same(a.pointer, b.pointer) && a.view_half_angle_rad == b.view_half_angle_rad;
 }
 

@@ -132,7 +132,8 @@ export class HubRefusal extends Error {
 }
 
 type Method = 'GET' | 'POST' | 'PATCH' | 'DELETE';
-type Fetch = (address: string, init: RequestInit) => Promise<Pick<Response, 'ok' | 'status' | 'json'>>;
+type Answered = Pick<Response, 'ok' | 'status' | 'json'> & Partial<Pick<Response, 'arrayBuffer'>>;
+type Fetch = (address: string, init: RequestInit) => Promise<Answered>;
 
 const patience_ms = 10_000;
 
@@ -210,6 +211,12 @@ export class HubApi {
     return this.ask('PATCH', inRoom(room, `/viewers/${viewer}`), { muted });
   }
 
+  /** The model of the room, after 0, or what has changed of it since a version; undefined: nothing. */
+  async roomModel(room: string, after: bigint): Promise<ArrayBuffer | undefined> {
+    const response = await this.call('GET', inRoom(room, `/model/after/${after}`));
+    return response.status === 204 ? undefined : response.arrayBuffer?.();
+  }
+
   recording(room: string): Promise<HubRecording> {
     return this.ask('GET', inRoom(room, '/recording'));
   }
@@ -236,6 +243,11 @@ export class HubApi {
 
   /** `path` is below the interface's own. */
   async ask<Answer>(method: Method, path: string, body?: object): Promise<Answer> {
+    const response = await this.call(method, path, body);
+    return (response.status === 204 ? undefined : await response.json()) as Answer;
+  }
+
+  private async call(method: Method, path: string, body?: object): Promise<Answered> {
     const headers: Record<string, string> = {};
     if (this.token()) headers.Authorization = `Bearer ${this.token()}`;
     if (body) headers['Content-Type'] = 'application/json';
@@ -246,6 +258,6 @@ export class HubApi {
       ...(body && { body: JSON.stringify(body) }),
     });
     if (!response.ok) throw await refusalOf(response);
-    return (response.status === 204 ? undefined : await response.json()) as Answer;
+    return response;
   }
 }

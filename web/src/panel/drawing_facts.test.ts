@@ -18,3 +18,7 @@ test('what is drawn is said in words', () => {
 test('nothing is said before there is a picture', () => {
   expect(drawingFacts({ ...all, shown: 0, wanted: 0 }, qualities[0]!)).toBe('');
 });
+
+test('the model of the room is made of all sensors, at one fineness', () => {
+  expect(drawingFacts({ ...all, mode: 'still' }, qualities[6]!)).toBe('The model of what stands still.');
+});

@@ -81,17 +81,17 @@ export class IdPass {
   }
 
   private readIds(sensors: readonly [number, PlacedSensor][], width: number, height: number, camera = this.stage.camera): Uint8Array {
-    const { isMixing, scene: room } = this.stage.room;
+    const { surfaces, scene: room } = this.stage.room;
     const scene = new THREE.Scene();
     sensors.forEach(([, sensor], i) => {
       sensor.surface.setId(i + 1);
-      sensor.updateVisible(false);
+      sensor.updateVisible('apart');
       scene.add(sensor.surface.root);
     });
     const numbers = this.readBack(scene, camera, width, height);
     sensors.forEach(([, sensor]) => {
       sensor.surface.setId(0);
-      sensor.updateVisible(isMixing);
+      sensor.updateVisible(surfaces);
       room.add(sensor.surface.root);
     });
     return numbers;

@@ -15,12 +15,12 @@ function sensor(placement: Placement): PlacedSensor {
 
 test('an unplaced sensor is drawn alone while the others are blended', () => {
   const lost = sensor(Placement.UNPLACED);
-  lost.updateVisible(true);
+  lost.updateVisible('mixed');
   expect(lost.surface.root.visible).toBe(true);
   expect(lost.layers.map((layer) => layer.nearest.visible || layer.mixed.visible)).toEqual([false, false, false]);
 
   const found = sensor(Placement.ALIGNED);
-  found.updateVisible(true);
+  found.updateVisible('mixed');
   expect(found.surface.root.visible).toBe(false);
   expect(found.layers.some((layer) => layer.nearest.visible)).toBe(true);
 });

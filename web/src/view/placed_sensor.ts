@@ -11,6 +11,9 @@ import { sensorColor } from './sensor_color';
 import { SensorPictures } from './sensor_pictures';
 import { SensorSurface } from './sensor_surface';
 
+/** Sensors' surfaces are blended, drawn each for itself, or not drawn. */
+export type SurfacesDrawn = 'mixed' | 'apart' | 'hidden';
+
 export class PlacedSensor {
   readonly pictures: SensorPictures;
   readonly surface: SensorSurface;
@@ -57,9 +60,9 @@ export class PlacedSensor {
     return !isPlaced(this.entry.pose);
   }
 
-  updateVisible(mixing: boolean): void {
-    const mixed = mixing && !this.isApart;
-    const drawn = this.wanted && this.chosen && this.pictures.hasPicture;
+  updateVisible(how: SurfacesDrawn): void {
+    const mixed = how === 'mixed' && !this.isApart;
+    const drawn = this.wanted && this.chosen && this.pictures.hasPicture && how !== 'hidden';
     this.surface.root.visible = drawn && !mixed;
     this.layers.forEach((layer) => layer.setVisible(drawn && mixed));
     this.mark.visible = this.wanted;

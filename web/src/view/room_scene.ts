@@ -7,10 +7,11 @@ import type { ViewFrame } from '../stream/protocol';
 import { Avatars } from './avatars';
 import { bestSensors } from './best_sensors';
 import { BackgroundUpdater } from './blend/background_updater';
+import type { ModelLayer } from './blend/model_layer';
 import { canBlend, RoomBlend } from './blend/room_blend';
 import type { Drawing, DrawMode } from './draw_mode';
 import { lateSensors } from './late_sensors';
-import { PlacedSensor } from './placed_sensor';
+import { PlacedSensor, type SurfacesDrawn } from './placed_sensor';
 import type { Quality } from './quality_ladder';
 import { floorGrid } from './room_marks';
 
@@ -46,15 +47,26 @@ export class RoomScene {
     return this.mode;
   }
 
-  /** `blend` becomes `mesh` where this browser cannot blend. */
+  /** `blend` and `still` become `mesh` where this browser cannot blend. */
   setMode(mode: DrawMode): void {
-    this.mode = mode === 'blend' && !this.mixes ? 'mesh' : mode;
+    this.mode = (mode === 'blend' || mode === 'still') && !this.mixes ? 'mesh' : mode;
     this.applyModeToAll();
   }
 
   /** True while surfaces are blended. */
   get isMixing(): boolean {
-    return this.mode === 'blend' && this.mayMix;
+    return this.mode === 'still' || (this.mode === 'blend' && this.mayMix);
+  }
+
+  /** How the sensors' surfaces are drawn. */
+  get surfaces(): SurfacesDrawn {
+    if (this.mode === 'still') return 'hidden';
+    return this.isMixing ? 'mixed' : 'apart';
+  }
+
+  /** The model of what stands still; undefined where this browser cannot blend. */
+  get model(): ModelLayer | undefined {
+    return this.blend?.model;
   }
 
   /** How the room is drawn now: the sensors that are, and those that would be if the machine were faster. */
@@ -181,8 +193,8 @@ export class RoomScene {
 
   /** Draws into the renderer's target, `width` x `height` device pixels. */
   render(camera: THREE.PerspectiveCamera, width: number, height: number): void {
-    const filled =
-      this.isMixing && [...this.placed.values()].some(({ pictures, isApart }) => pictures.hasPicture && !isApart);
+    const seen = [...this.placed.values()].some(({ pictures, isApart }) => pictures.hasPicture && !isApart);
+    const filled = this.isMixing && ((seen && this.mode !== 'still') || !this.model!.isEmpty);
     this.grid.visible = !this.passthrough && !filled;
     if (this.isMixing) {
       this.refreshMemories();
@@ -233,7 +245,7 @@ export class RoomScene {
 
   private applyMode(placed: PlacedSensor): void {
     placed.surface.setKind(this.mode === 'points' ? 'points' : 'mesh');
-    placed.updateVisible(this.isMixing);
+    placed.updateVisible(this.surfaces);
   }
 }
 

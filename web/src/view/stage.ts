@@ -3,6 +3,7 @@
 // finely as the graphics processor permits. An active headset decides when to draw.
 import * as THREE from 'three';
 import type { RoomRoster } from '../room_roster';
+import type { DecodedModel } from '../model/model_worker';
 import type { ViewFrame } from '../stream/protocol';
 import type { DrawMode } from './draw_mode';
 import { whenDrawn } from './gpu_fence';
@@ -117,6 +118,12 @@ export class Stage {
 
   clear(sensors: readonly number[]): void {
     this.room.clear(sensors);
+    this.touch();
+  }
+
+  /** The hub's model of what stands still, or what has changed of it. */
+  showModel(model: DecodedModel): void {
+    this.room.model?.take(model);
     this.touch();
   }
 

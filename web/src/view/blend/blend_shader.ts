@@ -17,6 +17,14 @@ const float kMinColored = 2.0e-2;
 bool hasColor(vec4 sum) { return sum.a > 0.7 * kMinColored; }
 `;
 
+// Depths of the room's model, beyond those of all that sensors show in a room: it only fills what they leave empty.
+export const modelDepth = /* glsl */ `
+const float kModelFrom = 0.999;
+const float kModelFar_m = 50.0;
+float depthOfModel(float away_m) { return kModelFrom + (0.99999 - kModelFrom) * min(away_m / kModelFar_m, 1.0); }
+float awayOfModel(float depth) { return (depth - kModelFrom) / (0.99999 - kModelFrom) * kModelFar_m; }
+`;
+
 const layerVertex = /* glsl */ `${passPrecision}
 uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
@@ -174,7 +182,7 @@ void main() {
  * The blended picture with its depth. Optionally fills pixels that no sensor sees with the colour of their
  * surroundings.
  */
-export const resolveFragmentShader = /* glsl */ `${passPrecision}${mixRange}${colorKnown}
+export const resolveFragmentShader = /* glsl */ `${passPrecision}${mixRange}${colorKnown}${modelDepth}
 uniform sampler2D uColorSum;
 uniform sampler2D uDepth;
 uniform sampler2D uSurroundings;  // half the size
@@ -186,6 +194,7 @@ const vec4 kGrey = vec4(0.5, 0.5, 0.5, 1.0);
 
 // The nearest surface was drawn set back: where it really is.
 float trueDepth(float depth) {
+  if (depth > kModelFrom) return uMetresFromDepth.x - uMetresFromDepth.y / max(awayOfModel(depth), 1.0e-3);
   float away = uMetresFromDepth.y / (uMetresFromDepth.x - depth);
   return uMetresFromDepth.x - uMetresFromDepth.y * (1.0 + kMixPer_m) / max(away - kMix_m, 1.0e-3);
 }

@@ -5,6 +5,7 @@
 import * as THREE from 'three';
 import type { BlendLayer } from './blend_layer';
 import { resolveFragmentShader } from './blend_shader';
+import { ModelLayer } from './model_layer';
 import { wholePicture, wholePictureVertexShader } from './full_screen_pass';
 import { Surroundings } from './surroundings';
 
@@ -17,6 +18,7 @@ export class RoomBlend {
   readonly picture: THREE.Mesh;
   private readonly nearest = new THREE.Scene();
   private readonly mixed = new THREE.Scene();
+  readonly model = new ModelLayer();
   private readonly surroundings = new Surroundings();
   private readonly sums: THREE.WebGLRenderTarget;
   private readonly uniforms = {
@@ -78,6 +80,7 @@ export class RoomBlend {
     renderer.clear();
     renderer.render(this.nearest, camera);
     renderer.render(this.mixed, camera);
+    if (!this.model.isEmpty) renderer.render(this.model.scene, camera);
     renderer.setClearColor(color, alpha);
     renderer.autoClear = autoClear;
     renderer.setRenderTarget(target);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/recording/modeler/model_message.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "roomcast/recording/export/little_endian_bytes.h"
+
+namespace roomcast::recording {
+namespace {
+
+constexpr std::array<std::uint8_t, 3> kModelMagic = {'R', 'C', 'M'};
+constexpr std::uint8_t kModelVersion = 1;
+constexpr std::size_t kHeaderBytes = 20, kPieceHeaderBytes = 16;
+
+Error not_a_model() {
+  return {ErrorCode::kMalformed, "this is not the model of a room"};
+}
+
+std::uint32_t u32_at(std::span<const std::uint8_t> bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (unsigned i = 0; i < 4; ++i) value |= static_cast<std::uint32_t>(bytes[at + i]) << (8 * i);
+  return value;
+}
+
+}  // namespace
+
+std::string write_model_message(const ModelMessage& message) {
+  std::vector<std::uint8_t> out(kModelMagic.begin(), kModelMagic.end());
+  out.push_back(kModelVersion);
+  append_u32(message.is_whole ? 1 : 0, out);
+  append_u32(static_cast<std::uint32_t>(message.version), out);
+  append_u32(static_cast<std::uint32_t>(message.version >> 32U), out);
+  append_u32(static_cast<std::uint32_t>(message.pieces.size()), out);
+  for (const ModelMessage::Piece& piece : message.pieces) {
+    for (const std::int32_t axis : {piece.place.x, piece.place.y, piece.place.z})
+      append_u32(static_cast<std::uint32_t>(axis), out);
+    append_u32(static_cast<std::uint32_t>(piece.draco.size()), out);
+    out.insert(out.end(), piece.draco.begin(), piece.draco.end());
+  }
+  return {out.begin(), out.end()};
+}
+
+Result<ModelMessage> read_model_message(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < kHeaderBytes || !std::ranges::equal(bytes.first(3), kModelMagic))
+    return not_a_model();
+  if (bytes[3] != kModelVersion)
+    return Error{ErrorCode::kUnsupported, "this model is of another version of roomcast"};
+  ModelMessage message;
+  message.is_whole = (bytes[4] & 1U) != 0;
+  message.version = u32_at(bytes, 8) | (static_cast<std::uint64_t>(u32_at(bytes, 12)) << 32U);
+  const std::uint32_t count = u32_at(bytes, 16);
+  std::size_t at = kHeaderBytes;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (bytes.size() - at < kPieceHeaderBytes) return not_a_model();
+    const auto axis = [&](std::size_t n) {
+      return static_cast<std::int32_t>(u32_at(bytes, at + 4 * n));
+    };
+    const std::size_t length = u32_at(bytes, at + 12);
+    const model::GridPlace place{axis(0), axis(1), axis(2)};
+    at += kPieceHeaderBytes;
+    if (bytes.size() - at < length) return not_a_model();
+    message.pieces.push_back({place, bytes.subspan(at, length)});
+    at += length;
+  }
+  if (at != bytes.size()) return not_a_model();
+  return message;
+}
+
+}  // namespace roomcast::recording

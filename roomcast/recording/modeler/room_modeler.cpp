@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/recording/modeler/room_modeler.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <stop_token>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "roomcast/client/subscriber.h"
+#include "roomcast/core/interruptible_wait.h"
+#include "roomcast/recording/live_sets/live_sets.h"
+#include "roomcast/recording/mesh/mesh_writer.h"
+#include "roomcast/recording/modeler/kept_views.h"
+#include "roomcast/recording/modeler/model_pieces.h"
+#include "roomcast/recording/modeler/view_folder.h"
+
+namespace roomcast::recording {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kModelerNiceness = 15;  // frames and alignment go first
+constexpr auto kWaitForPictures = 500ms;
+constexpr auto kTryAgain = 3s;
+constexpr auto kBetweenSaves = 60s;
+/// Fusing takes at most this share of the time, so that a room in which much changes does not keep
+/// a core busy.
+constexpr int kRestPerWork = 12;
+
+std::uint64_t milliseconds_since_1970() {
+  return static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::milliseconds>(
+          std::chrono::system_clock::now().time_since_epoch())
+          .count());
+}
+
+}  // namespace
+
+model::ModelOptions running_room_options() {
+  model::ModelOptions options;
+  options.voxel_m = 0.02F;
+  options.memory_frames = 9;
+  return options;
+}
+
+class RoomModeler::Work {
+ public:
+  explicit Work(RoomModelerOptions options)
+      : options_(std::move(options)),
+        views_(options_.model),
+        thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+  std::shared_ptr<const std::string> changes_after(std::uint64_t known) const {
+    const std::lock_guard lock(mutex_);
+    if (pieces_.version() == 0 || known >= pieces_.version()) return nullptr;
+    if (known == known_ && changes_) return changes_;
+    known_ = known;
+    changes_ = std::make_shared<const std::string>(pieces_.changes_after(known));
+    return changes_;
+  }
+
+ private:
+  void run(const std::stop_token& stop);
+  void follow(client::Subscriber& room, const std::stop_token& stop);
+  void take(const client::RoomSnapshot& room);
+  void fuse(const std::stop_token& stop);
+  void load();
+  void save();
+  void warn(const Error& error);
+
+  const RoomModelerOptions options_;
+  // On the thread only.
+  KeptViews views_;
+  LiveSets sets_;
+  SteadyClock clock_;
+  HostTime next_fusing_{}, next_save_{};
+  /// Sensors that the hub has named. One that it names no longer was sent away; one that it has not
+  /// named yet may still come.
+  std::set<std::string> listed_;
+  bool is_unsaved_ = false;
+  std::string warned_;  // the last warning; it is not repeated
+
+  mutable std::mutex mutex_;
+  ModelPieces pieces_;  // by all
+  mutable std::uint64_t known_ = 0;
+  mutable std::shared_ptr<const std::string> changes_;  // after known_: viewers ask for the same
+  std::jthread thread_;                                 // last: uses all of the above
+};
+
+void RoomModeler::Work::run(const std::stop_token& stop) {
+  // On Linux this sets the niceness of this thread only.
+  (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kModelerNiceness);
+  load();
+  fuse(stop);
+  while (!stop.stop_requested()) {
+    auto room = client::Subscriber::open({.hub_url = options_.hub_url,
+                                          .room = options_.room,
+                                          .credential = {.token = options_.token, .code = {}},
+                                          .name = "modeler",
+                                          .is_modeler = true,
+                                          .log = {},
+                                          .stop = stop});
+    if (room) {
+      follow(**room, stop);
+    } else if (!stop.stop_requested()) {
+      warn(room.error());
+    }
+    std::ignore = wait_until(clock_.now() + kTryAgain, stop);
+  }
+  save();
+}
+
+/// Until the connection has ended for good.
+void RoomModeler::Work::follow(client::Subscriber& room, const std::stop_token& stop) {
+  std::uint64_t revision = 0;
+  while (!stop.stop_requested() && !room.failure()) {
+    const auto snapshot = room.wait_newer(revision, kWaitForPictures);
+    if (snapshot->revision == revision) continue;
+    revision = snapshot->revision;
+    take(*snapshot);
+    if (clock_.now() >= next_fusing_ && views_.are_worth_fusing()) fuse(stop);
+    if (clock_.now() >= next_save_) save();
+  }
+}
+
+void RoomModeler::Work::take(const client::RoomSnapshot& room) {
+  if (!room.sensors_known) return;
+  for (const std::string& name : views_.sensors()) {
+    const auto sensor = std::ranges::find(room.sensors, name, &client::RoomSensor::name);
+    const bool is_here = sensor != room.sensors.end();
+    if (is_here ? sensor->pose.is_moved() : listed_.contains(name)) views_.forget(name);
+  }
+  for (const client::RoomSensor& sensor : room.sensors) listed_.insert(sensor.name);
+  LiveSet live = sets_.set_of(room);
+  std::erase_if(live.set.frames, [&](const SetFrame& frame) {
+    return room.sensors[frame.sensor].pose.is_moved();
+  });
+  if (auto status = views_.add(live.sensors, live.set); !status) warn(status.error());
+}
+
+void RoomModeler::Work::fuse(const std::stop_token& stop) {
+  if (!views_.are_worth_fusing()) return;
+  const HostTime began = clock_.now();
+  MeshWriterOptions meshing;
+  meshing.model = options_.model;
+  const auto mesh = mesh_surfaces(views_.surfaces(), meshing, {}, Workers(1, stop));
+  if (stop.stop_requested()) return;
+  if (!mesh && mesh.error().code != ErrorCode::kNotFound) warn(mesh.error());
+  {
+    // Coding takes long, and viewers who ask meanwhile wait on the hub's thread for rooms.
+    ModelPieces pieces = pieces_;
+    pieces.update(mesh ? *mesh : model::RoomMesh(),
+                  std::max(milliseconds_since_1970(), pieces.version() + 1));
+    const std::lock_guard lock(mutex_);
+    pieces_ = std::move(pieces);
+    changes_.reset();
+  }
+  is_unsaved_ = true;
+  next_fusing_ = clock_.now() + kRestPerWork * (clock_.now() - began);
+}
+
+void RoomModeler::Work::load() {
+  if (options_.folder.empty()) return;
+  auto saved = read_views(options_.folder);
+  if (!saved) {
+    if (saved.error().code != ErrorCode::kNotFound) warn(saved.error());
+    return;
+  }
+  if (auto status = views_.add_saved(*saved); !status) warn(status.error());
+}
+
+void RoomModeler::Work::save() {
+  if (options_.folder.empty() || !std::exchange(is_unsaved_, false)) return;
+  next_save_ = clock_.now() + kBetweenSaves;
+  if (auto status = write_views(options_.folder, views_.saved()); !status) warn(status.error());
+}
+
+void RoomModeler::Work::warn(const Error& error) {
+  if (std::exchange(warned_, error.message) == error.message || !options_.log) return;
+  options_.log(LogLevel::kWarning,
+               "the model of room \"" + options_.room + "\": " + error.message);
+}
+
+RoomModeler::RoomModeler(RoomModelerOptions options)
+    : work_(std::make_unique<Work>(std::move(options))) {}
+RoomModeler::~RoomModeler() = default;
+
+std::shared_ptr<const std::string> RoomModeler::changes_after(std::uint64_t known) const {
+  return work_->changes_after(known);
+}
+
+}  // namespace roomcast::recording
