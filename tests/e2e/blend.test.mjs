@@ -58,7 +58,9 @@ async function makeRoom() {
     return [...rgba];
   };
   const inBox = (u, v) => Math.abs(u - 31.5) < 8 && Math.abs(v - 23.5) < 8;
-  window.room = { place, see, middle, inBox, red: [200, 20, 20], green: [20, 200, 20], blue: [20, 20, 200] };
+  const take = (model) => room.model.take(model);
+  const setMode = (mode) => room.setMode(mode);
+  window.room = { place, see, middle, take, setMode, inBox, red: [200, 20, 20], green: [20, 200, 20], blue: [20, 20, 200] };
 }
 
 const isNear = (color, wanted) => wanted.every((value, i) => Math.abs(color[i] - value) < 25);
@@ -169,5 +171,34 @@ describe('blended surfaces', () => {
       return middle();
     });
     assert.ok(isNear(color, [20, 200, 20]), String(color));
+  });
+
+  test('the room’s model fills what no sensor shows, and nothing else', slow, async (t) => {
+    await freshRoom(t);
+    const colors = await page.evaluate(() => {
+      const { place, see, middle, take, setMode, inBox, green } = window.room;
+      place(0);
+      see(0, (u, v) => (inBox(u, v) ? [3000, ...green] : [0, 0, 0, 0]));
+      const without = middle(40);
+      const wall = { positions: [-9, -9, -2, 9, -9, -2, 0, 9, -2], colors: [200, 20, 20, 200, 20, 20, 200, 20, 20] };
+      const geometry = {
+        positions: new Float32Array(wall.positions),
+        colors: new Uint8Array(wall.colors),
+        indices: new Uint32Array([0, 1, 2]),
+      };
+      take({ isWhole: true, pieces: [{ key: 'wall', geometry }] });
+      const withModel = { middle: middle(), beside: middle(40) };
+      setMode('still');
+      const alone = middle();
+      setMode('blend');
+      take({ isWhole: false, pieces: [{ key: 'wall', geometry: undefined }] });
+      return { without, withModel, alone, gone: middle(40) };
+    });
+    assert.ok(isNear(colors.without, [20, 200, 20]), `smeared: ${colors.without}`);
+    assert.ok(isNear(colors.withModel.middle, [20, 200, 20]), `what a sensor shows, though the model is nearer: ${colors.withModel.middle}`);
+    assert.ok(isNear(colors.withModel.beside, [200, 20, 20]), `filled: ${colors.withModel.beside}`);
+    assert.ok(isNear(colors.alone, [200, 20, 20]), `the still room alone: ${colors.alone}`);
+    assert.ok(isNear(colors.gone, [20, 200, 20]), `after its piece has gone: ${colors.gone}`);
+    assert.deepEqual(page.complaints, []);
   });
 });

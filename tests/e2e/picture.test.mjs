@@ -41,7 +41,7 @@ test('the page draws the same picture as roomcast view', slow, async (t) => {
   t.after(() => rmSync(folder, { recursive: true, force: true }));
   const rig = join(folder, 'rig');
   await run('simulate', rig, '--sensors', String(sensors), ...still);
-  const hub = await startHub();
+  const hub = await startHub(0, { more: ['--no-model'] }); // the window has none
   t.after(() => hub.end());
   for (let n = 0; n < sensors; n++) {
     const sensor = startSensor(hub, n, { rig });
