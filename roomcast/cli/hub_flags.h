@@ -21,7 +21,8 @@ struct HubFlags {
   std::vector<std::string> nats;
   std::string nats_credentials, nats_ca, nats_cert, nats_key;
   std::int64_t threads = 0;
-  bool self_signed = false, insecure = false, no_align = false, no_model = false, verbose = false, check = false;
+  bool self_signed = false, insecure = false, no_align = false, no_model = false, verbose = false,
+       check = false;
   bool record = false;
 };
 

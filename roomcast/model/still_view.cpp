@@ -106,7 +106,8 @@ void StillView::add_reading(float z_mm, Pixel& pixel) const {
   const bool farther = pixel.other_mm > pixel.mean_mm;
   const float share = farther ? kFartherShare : kNearerShare;
   // A full count says no more than "for long".
-  const auto limit = std::min(share * static_cast<float>(pixel.count), static_cast<float>(options_.memory_frames) - 1);
+  const auto limit = std::min(share * static_cast<float>(pixel.count),
+                              static_cast<float>(options_.memory_frames) - 1);
   if (static_cast<float>(pixel.other_count) <= limit) return;
   if (farther && pixel.other_count < kMinFartherCount) return;
   std::swap(pixel.mean_mm, pixel.other_mm);
@@ -116,7 +117,8 @@ void StillView::add_reading(float z_mm, Pixel& pixel) const {
 }
 
 void StillView::add_color(Rgb8 color, Pixel& pixel) const {
-  pixel.color_count = static_cast<std::uint8_t>(std::min(pixel.color_count + 1, options_.memory_frames));
+  pixel.color_count =
+      static_cast<std::uint8_t>(std::min(pixel.color_count + 1, options_.memory_frames));
   const std::array<int, 3> levels = {color.r, color.g, color.b};
   for (std::size_t i = 0; i < 3; ++i) {
     const int mean = pixel.color[i];

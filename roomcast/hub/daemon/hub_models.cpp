@@ -10,7 +10,8 @@
 namespace roomcast::hub::daemon {
 namespace {
 
-/// Folders of which the name is a room's. While one is written, others with an ending are beside it.
+/// Folders of which the name is a room's. While one is written, others with an ending are beside
+/// it.
 std::vector<std::string> rooms_in(const std::filesystem::path& folder) {
   std::vector<std::string> rooms;
   std::error_code error;

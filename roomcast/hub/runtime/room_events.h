@@ -14,8 +14,9 @@
 namespace roomcast::hub {
 
 struct RoomEvent {
-  std::string kind;           // "joined"; all kinds: docs/spec/admin.openapi.yaml
-  std::string role = {};      // "sensor", "viewer", "hub", "aligner", "modeler"; empty: it is about no client
+  std::string kind;  // "joined"; all kinds: docs/spec/admin.openapi.yaml
+  std::string role =
+      {};  // "sensor", "viewer", "hub", "aligner", "modeler"; empty: it is about no client
   std::string name = {};      // of the client, or of what was changed
   std::string peer = {};      // the client's address
   std::string token_id = {};  // of the token that it showed

@@ -12,8 +12,8 @@ namespace roomcast::hub {
 class RoomModels {
  public:
   virtual ~RoomModels() = default;
-  /// docs/spec/model.md, for a viewer who has the model of version `known` (0: none). Null: there is
-  /// nothing newer.
+  /// docs/spec/model.md, for a viewer who has the model of version `known` (0: none). Null: there
+  /// is nothing newer.
   [[nodiscard]] virtual std::shared_ptr<const std::string> changes_after(
       const std::string& room, std::uint64_t known) const = 0;
 };

@@ -114,10 +114,10 @@ HubServer::Loop::Loop(HubOptions options, std::unique_ptr<HubStore> store,
         Shard::Loops{*loops_[i], io()}, *registry_, connection_ids_, unjoined_,
         ShardLimits{options_.join_within, options_.limits.max_unjoined, options_.limits.session}));
   }
-  pages_ = std::make_unique<HubPages>(
-      std::move(site), *registry_, *store_worker_, io(), options_.metrics_for_anyone,
-      ROOMCAST_VERSION, options_.recordings.get(), options_.study.get(), options_.models.get(),
-      options_.log);
+  pages_ = std::make_unique<HubPages>(std::move(site), *registry_, *store_worker_, io(),
+                                      options_.metrics_for_anyone, ROOMCAST_VERSION,
+                                      options_.recordings.get(), options_.study.get(),
+                                      options_.models.get(), options_.log);
 }
 
 // The store worker and questions about recordings and the study go first: their work ends, and

@@ -66,8 +66,8 @@ Status KeptViews::add(const std::vector<SetSensor>& sensors, const FrameSet& set
   for (const SetFrame& frame : set.frames) {
     if (!frame.world_from_depth) continue;
     if (auto status = add_picture(sensors[frame.sensor], frame); !status)
-      result = Error{status.error().code, "sensor " + sensors[frame.sensor].name + ": " +
-                                              status.error().message};
+      result = Error{status.error().code,
+                     "sensor " + sensors[frame.sensor].name + ": " + status.error().message};
   }
   return result;
 }

@@ -17,7 +17,7 @@ struct ModelMessage {
   bool is_whole = false;      // forget all pieces received before
   std::uint64_t version = 0;  // to be named when changes are asked for next
   struct Piece {
-    model::GridPlace place;             // of its cube
+    model::GridPlace place;               // of its cube
     std::span<const std::uint8_t> draco;  // empty: there is none there any more
   };
   std::vector<Piece> pieces = {};

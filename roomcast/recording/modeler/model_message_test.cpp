@@ -32,9 +32,9 @@ TEST(ModelMessage, is_read_as_it_was_written) {
 
 TEST(ModelMessage, the_bytes_are_those_of_the_spec) {
   const std::vector<std::uint8_t> expected = {
-      'R', 'C', 'M', 1, 1, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0,  //
-      0xFF, 0xFF, 0xFF, 0xFF, 0, 0, 0, 0, 7, 0, 0, 0, 3, 0, 0, 0, 1, 2, 3,  //
-      2, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0};
+      'R',  'C',  'M',  1,    1, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0,  //
+      0xFF, 0xFF, 0xFF, 0xFF, 0, 0, 0, 0, 7, 0, 0, 0, 3, 0, 0, 0, 1, 2, 3,     //
+      2,    0,    0,    0,    2, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0};
   EXPECT_EQ(example(), expected);
 }
 

@@ -12,10 +12,10 @@
 namespace roomcast::recording {
 namespace {
 
-constexpr float kLookStep_m = 0.05F;      // of the cubes by which pieces are compared
-constexpr double kSameLook = 0.02;        // share of these cubes that may differ
-constexpr double kSameLevel = 4;          // of 0 to 255
-constexpr std::uint64_t kAxisBits = 21;   // of a cube's place on one axis
+constexpr float kLookStep_m = 0.05F;     // of the cubes by which pieces are compared
+constexpr double kSameLook = 0.02;       // share of these cubes that may differ
+constexpr double kSameLevel = 4;         // of 0 to 255
+constexpr std::uint64_t kAxisBits = 21;  // of a cube's place on one axis
 constexpr std::int64_t kAxisOffset = 1 << 20;
 
 std::int32_t cell(float at_m, float edge_m) {
@@ -42,9 +42,8 @@ std::map<model::GridPlace, model::RoomMesh> cut_mesh(const model::RoomMesh& mesh
   };
   std::map<model::GridPlace, Part> parts;
   for (const auto& triangle : mesh.triangles) {
-    const Eigen::Vector3f middle_m = (mesh.points_m[triangle[0]] + mesh.points_m[triangle[1]] +
-                                      mesh.points_m[triangle[2]]) /
-                                     3;
+    const Eigen::Vector3f middle_m =
+        (mesh.points_m[triangle[0]] + mesh.points_m[triangle[1]] + mesh.points_m[triangle[2]]) / 3;
     Part& part = parts[place_of(middle_m, edge_m)];
     std::array<std::uint32_t, 3> renumbered{};
     for (std::size_t i = 0; i < 3; ++i) {

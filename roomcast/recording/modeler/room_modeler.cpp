@@ -36,10 +36,9 @@ constexpr auto kBetweenSaves = 60s;
 constexpr int kRestPerWork = 12;
 
 std::uint64_t milliseconds_since_1970() {
-  return static_cast<std::uint64_t>(
-      std::chrono::duration_cast<std::chrono::milliseconds>(
-          std::chrono::system_clock::now().time_since_epoch())
-          .count());
+  return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(
+                                        std::chrono::system_clock::now().time_since_epoch())
+                                        .count());
 }
 
 }  // namespace
@@ -140,9 +139,8 @@ void RoomModeler::Work::take(const client::RoomSnapshot& room) {
   }
   for (const client::RoomSensor& sensor : room.sensors) listed_.insert(sensor.name);
   LiveSet live = sets_.set_of(room);
-  std::erase_if(live.set.frames, [&](const SetFrame& frame) {
-    return room.sensors[frame.sensor].pose.is_moved();
-  });
+  std::erase_if(live.set.frames,
+                [&](const SetFrame& frame) { return room.sensors[frame.sensor].pose.is_moved(); });
   if (auto status = views_.add(live.sensors, live.set); !status) warn(status.error());
 }
 
@@ -185,8 +183,7 @@ void RoomModeler::Work::save() {
 
 void RoomModeler::Work::warn(const Error& error) {
   if (std::exchange(warned_, error.message) == error.message || !options_.log) return;
-  options_.log(LogLevel::kWarning,
-               "the model of room \"" + options_.room + "\": " + error.message);
+  options_.log(LogLevel::kWarning, "the model of room \"" + options_.room + "\": " + error.message);
 }
 
 RoomModeler::RoomModeler(RoomModelerOptions options)

@@ -16,9 +16,10 @@ bool is_same(const std::optional<Part>& a, const std::optional<Part>& b) {
 }
 
 bool is_same(const client::PersonPose& a, const client::PersonPose& b) {
-  return a.world_from_head == b.world_from_head && a.world_from_left_hand == b.world_from_left_hand &&
-         a.world_from_right_hand == b.world_from_right_hand &&
-         is_same(a.pointer, b.pointer) && a.view_half_angle_rad == b.view_half_angle_rad;
+  return a.world_from_head == b.world_from_head &&
+         a.world_from_left_hand == b.world_from_left_hand &&
+         a.world_from_right_hand == b.world_from_right_hand && is_same(a.pointer, b.pointer) &&
+         a.view_half_angle_rad == b.view_half_angle_rad;
 }
 
 }  // namespace
