@@ -271,6 +271,12 @@ void Subscriber::send_prior(SensorId sensor, const RigidTransform& world_from_de
   link_->send(std::move(control));
 }
 
+void Subscriber::ask_for_key(SensorId sensor) {
+  wire::pb::Control control;
+  control.mutable_key_request()->set_sensor_id(sensor.value);
+  link_->send(std::move(control));
+}
+
 void Subscriber::say(std::vector<std::uint8_t> opus, bool ends, HostTime first_sample) {
   link_->say(std::move(opus), ends, first_sample);
 }

@@ -64,6 +64,10 @@ class Subscriber {
   void send_removal(std::span<const std::uint32_t> marks);
   void send_prior(SensorId sensor, const RigidTransform& world_from_depth);
 
+  /// Asks for a key frame of the sensor, which comes with the others' frames. Lost without a
+  /// connection; the hub passes on two a second at most.
+  void ask_for_key(SensorId sensor);
+
   /// Sends a packet of this viewer's voice: 20 ms of Opus, at most wire::kMaxAudioPayloadBytes.
   /// `ends`: a pause follows. Does not wait. Lost without a connection, or without room time.
   void say(std::vector<std::uint8_t> opus, bool ends, HostTime first_sample);

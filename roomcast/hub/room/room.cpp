@@ -75,7 +75,7 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
       name_other_hubs(message, out);
       return out;
     case pb::Control::kKeyRequest:
-      if (viewer == viewers_.end()) break;
+      if (viewer == viewers_.end() && std::ranges::find(modelers_, from) == modelers_.end()) break;
       return key_needed(wire_id(message.key_request().sensor_id()), now);
     case pb::Control::kViewerPose:
       if (viewer == viewers_.end()) break;

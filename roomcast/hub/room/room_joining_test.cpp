@@ -140,6 +140,10 @@ TEST_F(RoomTest, a_modeler_gets_key_frames_and_is_nobody_in_the_room) {
   EXPECT_FALSE(room.stats().frames_wanted) << "no sensor sends for it";
   EXPECT_EQ(room.viewer_count(), 0u);
   EXPECT_THAT(room.connections(), UnorderedElementsAre(sensor, modeler));
+  pb::Control request;
+  request.mutable_key_request()->set_sensor_id(0);
+  const auto asked = room.control(modeler, request, at(500ms));
+  EXPECT_THAT(messages(asked, pb::Control::kKeyRequest).at(0).to, ElementsAre(sensor));
   const auto left = room.leave(sensor, at(1s));
   EXPECT_THAT(messages(left, pb::Control::kRoster).at(0).to, ElementsAre(modeler));
   (void)room.leave(modeler, at(2s));

@@ -121,6 +121,11 @@ std::vector<std::string> KeptViews::sensors() const {
   return names;
 }
 
+bool KeptViews::needs_more_of(const std::string& sensor) const {
+  const auto found = views_.find(sensor);
+  return found != views_.end() && !is_known(found->second);
+}
+
 bool KeptViews::are_worth_fusing() const {
   if (is_one_gone_) return true;
   return std::ranges::any_of(views_, [](const auto& named) {

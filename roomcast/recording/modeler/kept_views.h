@@ -28,6 +28,8 @@ class KeptViews {
   /// The sensor was moved, or is of this room no longer.
   void forget(const std::string& sensor);
   [[nodiscard]] std::vector<std::string> sensors() const;
+  /// This sensor's view was seen, but in too few pictures to be fused.
+  [[nodiscard]] bool needs_more_of(const std::string& sensor) const;
 
   /// Something noticeable is different since surfaces().
   [[nodiscard]] bool are_worth_fusing() const;

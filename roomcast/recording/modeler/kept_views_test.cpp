@@ -42,9 +42,12 @@ class KeptViewsTest : public testing::Test {
 
 TEST_F(KeptViewsTest, are_worth_fusing_once_they_were_seen_several_times) {
   EXPECT_FALSE(views.are_worth_fusing()) << "there is none";
+  EXPECT_FALSE(views.needs_more_of("near"));
   see(wall_set(), 2);
   EXPECT_FALSE(views.are_worth_fusing());
+  EXPECT_TRUE(views.needs_more_of("near"));
   see(wall_set());
+  EXPECT_FALSE(views.needs_more_of("near"));
   EXPECT_TRUE(views.are_worth_fusing());
   EXPECT_EQ(views.surfaces().size(), 2u);
   see(wall_set(), 5);

@@ -30,6 +30,7 @@ using namespace std::chrono_literals;
 constexpr int kModelerNiceness = 15;  // frames and alignment go first
 constexpr auto kWaitForPictures = 500ms;
 constexpr auto kTryAgain = 3s;
+constexpr auto kBetweenRequests = 4s;
 constexpr auto kBetweenSaves = 60s;
 /// Fusing takes at most this share of the time, so that a room in which much changes does not keep
 /// a core busy.
@@ -70,6 +71,7 @@ class RoomModeler::Work {
   void run(const std::stop_token& stop);
   void follow(client::Subscriber& room, const std::stop_token& stop);
   void take(const client::RoomSnapshot& room);
+  void ask_for_more(const client::RoomSnapshot& room, client::Subscriber& subscriber);
   void fuse(const std::stop_token& stop);
   void load();
   void save();
@@ -80,7 +82,7 @@ class RoomModeler::Work {
   KeptViews views_;
   LiveSets sets_;
   SteadyClock clock_;
-  HostTime next_fusing_{}, next_save_{};
+  HostTime next_request_{}, next_fusing_{}, next_save_{};
   /// Sensors that the hub has named. One that it names no longer was sent away; one that it has not
   /// named yet may still come.
   std::set<std::string> listed_;
@@ -125,6 +127,7 @@ void RoomModeler::Work::follow(client::Subscriber& room, const std::stop_token& 
     if (snapshot->revision == revision) continue;
     revision = snapshot->revision;
     take(*snapshot);
+    if (clock_.now() >= next_request_) ask_for_more(*snapshot, room);
     if (clock_.now() >= next_fusing_ && views_.are_worth_fusing()) fuse(stop);
     if (clock_.now() >= next_save_) save();
   }
@@ -142,6 +145,15 @@ void RoomModeler::Work::take(const client::RoomSnapshot& room) {
   std::erase_if(live.set.frames,
                 [&](const SetFrame& frame) { return room.sensors[frame.sensor].pose.is_moved(); });
   if (auto status = views_.add(live.sensors, live.set); !status) warn(status.error());
+}
+
+/// A new view is known soon: sensors that nobody records send few key frames by themselves.
+void RoomModeler::Work::ask_for_more(const client::RoomSnapshot& room,
+                                     client::Subscriber& subscriber) {
+  next_request_ = clock_.now() + kBetweenRequests;
+  for (const client::RoomSensor& sensor : room.sensors) {
+    if (sensor.online && views_.needs_more_of(sensor.name)) subscriber.ask_for_key(sensor.id);
+  }
 }
 
 void RoomModeler::Work::fuse(const std::stop_token& stop) {
