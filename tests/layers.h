@@ -119,7 +119,7 @@ inline const std::vector<Layer> kLayers = {
      "codec/color core geometry io recording/dataset recording/foxglove recording/frame_sets recording/mcap",
      "recording/import"},
     {"recording/mesh",
-     "core io model recording/export recording/frame_sets"},
+     "core geometry io model recording/export recording/frame_sets"},
     {"render/gl",
      "core"},
     {"render/view",
@@ -159,8 +159,7 @@ inline const std::vector<Layer> kLayers = {
     {"recording/live_sets",
      "client/room codec core recording/frame_sets recording/recorder"},
     {"recording/modeler",
-     "client client/room codec core geometry model recording/export recording/frame_sets "
-     "recording/live_sets recording/mesh",
+     "client core model recording/export recording/frame_sets recording/live_sets recording/mesh",
      "hub/server"},
     {"simulator/random",
      ""},
