@@ -27,9 +27,11 @@ const untilModelled = (page) =>
 test('the still room is there without its sensors, and after a restart of the hub', slow, async (t) => {
   requireBuilt();
   const data = mkdtempSync(join(tmpdir(), 'roomcast-model-'));
-  t.after(() => rmSync(data, { recursive: true, force: true }));
   let hub = await startHub(0, { data });
-  t.after(() => hub.end());
+  t.after(async () => {
+    await hub.end();
+    rmSync(data, { recursive: true, force: true });
+  });
   const running = Array.from({ length: sensors }, (_, n) => startSensor(hub, n));
   t.after(() => Promise.all(running.map((sensor) => sensor.end())));
   const browser = await startBrowser({ width: 320, height: 240 });
