@@ -24,7 +24,7 @@ describe('a page that streams', () => {
   let hub, sensors, browser;
   before(async () => {
     requireBuilt();
-    hub = await startHub();
+    hub = await startHub(0, { more: ['--no-model'] }); // a model's pieces come and go
     sensors = [0, 1].map((n) => startSensor(hub, n, { fps: 5 }));
     browser = await startBrowser({ width: 320, height: 240 });
   }, timeout);
