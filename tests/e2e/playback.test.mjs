@@ -90,6 +90,7 @@ describe('a recording in the page', () => {
     await page.bringToFront();
     const start = await seek(page, 1);
     assert.ok(Math.abs(start.position_s - 1) < 2, `${start.position_s}`);
+    if ((await figures(page)).paused) await button(page, 'Play').click(); // it may have come to its end meanwhile
     await until('it advances', () => position(page), (at) => at > 2);
     await page.getByLabel('Speed').selectOption('4');
     const began = Date.now();
