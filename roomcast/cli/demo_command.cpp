@@ -213,9 +213,9 @@ Status run_demo(const DemoOptions& options) {
   hub_options.rooms = {{.name = options.rig.empty() ? "demo" : "recording"}};
   hub_options.web_directory = find_web_directory(options.web);
   hub_options.log = stderr_log("demo", options.verbose);
-  hub::daemon::HubAligners aligners(hub_options.log);
   const auto models = std::make_shared<hub::daemon::HubModels>(std::nullopt, hub_options.log);
   hub_options.models = models;
+  hub::daemon::HubAligners aligners(hub_options.log);
   hub_options.on_room_in_use = [&aligners, models](const std::string& room) {
     aligners.start(room);
     models->start(room);

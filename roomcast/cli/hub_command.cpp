@@ -258,7 +258,6 @@ Status run_hub(const HubFlags& flags) {
   allow_many_connections();
   keep_freed_memory();
   const LogSink log = log_of(plan->config, flags.verbose);
-  hub::daemon::HubAligners aligners(log);
   hub::HubOptions options = plan->options;
   options.web_directory = find_web_directory(plan->config.web);
   auto folder = hub::daemon::make_data_folder(plan->config.data, log);
@@ -269,6 +268,7 @@ Status run_hub(const HubFlags& flags) {
   options.recordings = recorders;
   const auto models = make_models(plan->config, options.data_folder, log);
   options.models = models;
+  hub::daemon::HubAligners aligners(log);  // ends before the models, which take time to be written
   auto study = open_study(plan->config, options.data_folder);
   if (!study) return study.error();
   options.study = *study;

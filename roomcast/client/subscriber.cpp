@@ -42,6 +42,12 @@ wire::pb::Join join_message(const SubscriberOptions& options) {
   return join;
 }
 
+wire::pb::Control key_request(SensorId sensor) {
+  wire::pb::Control control;
+  control.mutable_key_request()->set_sensor_id(sensor.value);
+  return control;
+}
+
 }  // namespace
 
 class Subscriber::Link final : public HubLinkEvents {
@@ -193,9 +199,7 @@ void Subscriber::Link::ask_for_key(SensorId sensor) {
   const auto asked = asked_for_key_.find(sensor);
   if (asked != asked_for_key_.end() && now - asked->second < wire::kKeyRequestInterval) return;
   asked_for_key_[sensor] = now;
-  wire::pb::Control control;
-  control.mutable_key_request()->set_sensor_id(sensor.value);
-  link_.send(control);
+  link_.send(key_request(sensor));
 }
 
 void Subscriber::Link::on_down(const Error& reason, bool final) {
@@ -272,9 +276,7 @@ void Subscriber::send_prior(SensorId sensor, const RigidTransform& world_from_de
 }
 
 void Subscriber::ask_for_key(SensorId sensor) {
-  wire::pb::Control control;
-  control.mutable_key_request()->set_sensor_id(sensor.value);
-  link_->send(std::move(control));
+  link_->send(key_request(sensor));
 }
 
 void Subscriber::say(std::vector<std::uint8_t> opus, bool ends, HostTime first_sample) {

@@ -50,9 +50,9 @@ class FrameEncoder {
   /// As FrameEncoderOptions::key_interval_s, from the next frame on.
   virtual void set_key_interval(double seconds) = 0;
 
-  /// What is needed of each block, from the next frame on: need_blocks() of the depth grid's width
-  /// and height; an empty view: all of everything. In live mode; other modes have everything in
-  /// each frame. kInvalidArgument: another size.
+  /// Sets how much of each block viewers need, from the next frame on. `needs` has need_blocks() of
+  /// the depth grid's width and height; empty: everything is needed. In live mode; other modes have
+  /// everything in each frame. kInvalidArgument: another size.
   [[nodiscard]] virtual Status set_needs(BlockNeedsView needs) = 0;
 
   /// Depth of the newest frame as decoders will show it. Valid until the next call, and only as

@@ -57,9 +57,9 @@ struct DepthUncertainty {
   double uncalibrated_scale = 0.04;     // of a sensor that nobody calibrated
   double uncalibrated_from_m = 0.0007;  // disagreement that makes both equally likely
   double uncalibrated_steepness = 6;    // power of the disagreement
-  /// The same for a pose that is weighed against another estimate of it. What is said may err
-  /// towards doubt; a weight that errs leaves calibrated sensors where a person's walk had put
-  /// them, though their surfaces know better (ADR 23).
+  /// The same for a pose that is weighed against another estimate of it. A stated error may be too
+  /// large; too small a weight would leave calibrated sensors where a person's walk had placed
+  /// them, although their surfaces determine the pose better (ADR 23).
   double weighed_uncalibrated_from_m = 0.001, weighed_uncalibrated_steepness = 4;
 
   /// Belief that sensors are not calibrated, 0 to 1, given how far their surfaces disagree smoothly

@@ -3,8 +3,9 @@
 // up codes only blocks that changed since the layer-0 frame that it depends on: any other
 // improvement would be lost with the frame. A layer-0 frame also codes blocks that changed lately,
 // until they have the quantiser's quality. When the quantiser has become finer, still blocks can be
-// coded again, a band of the picture in each layer-0 frame. What nobody needs is left out, and owed
-// until somebody does. Single-threaded.
+// coded again, a band of the picture in each layer-0 frame. A frame leaves out blocks that no
+// viewer needs, and a block that changed meanwhile is coded once a viewer needs it.
+// Single-threaded.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// BlockNeed: what those who see a stream need of one block of its pictures. What is left out costs
-// nothing; decoders go on showing what they have.
+// BlockNeed: how much of one block of a stream's pictures its viewers need. The encoder skips a
+// block that a frame leaves out, which costs no bytes; decoders go on showing the block that they
+// have.
 #pragma once
 
 #include <cstdint>

@@ -9,11 +9,6 @@ namespace {
 
 namespace pb = wire::pb;
 
-Refusal no_such_room() {
-  return {pb::ERROR_NO_SUCH_ROOM,
-          "this hub has no such room, or the room needs a token of its own"};
-}
-
 std::string wanted_room(const pb::Join& join, const Claims* claims,
                         const std::string& only_listed_room) {
   if (!join.room().empty()) return join.room();
@@ -96,6 +91,11 @@ Entry entry_of(const pb::Join& join, const Claims* claims, const RoomSettings& r
 }
 
 }  // namespace
+
+Refusal no_such_room() {
+  return {pb::ERROR_NO_SUCH_ROOM,
+          "this hub has no such room, or the room needs a token of its own"};
+}
 
 bool may_know_of(const RoomSettings& room, const Claims* claims) {
   return room.listed || (claims != nullptr && covers(claims->grant, room.name));

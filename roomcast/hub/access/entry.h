@@ -43,7 +43,10 @@ using FindRoom = std::function<const RoomSettings*(const std::string& name)>;
 /// Whether a client with these claims (null: none) may learn that this room exists.
 [[nodiscard]] bool may_know_of(const RoomSettings& room, const Claims* claims);
 
-/// Whether it may see what viewers see. The claims are of a token for this room.
+/// The refusal of a room that does not exist, and of one that the client may not know of.
+[[nodiscard]] Refusal no_such_room();
+
+/// Whether a client with these claims (null: none) may see what viewers of this room see.
 [[nodiscard]] bool may_view(const RoomSettings& room, const Claims* claims);
 
 }  // namespace roomcast::hub

@@ -17,11 +17,6 @@ namespace {
 using Json = nlohmann::json;
 namespace pb = wire::pb;
 
-net::HttpResponse no_such_room_response() {
-  return error_answer(404, "not_found",
-                      "this hub has no such room, or the room needs a token of its own");
-}
-
 net::HttpResponse not_yours() {
   return error_answer(403, "wrong_role", "this request needs an admin's token for it");
 }
@@ -125,7 +120,7 @@ void AdminApi::carry_out_in_room(const Call& call) {
   const RoomSettings* settings = registry_.find(call.parameter(0));
   const Claims* claims = call.claims ? &*call.claims : nullptr;
   if (settings == nullptr || !may_know_of(*settings, claims))
-    return call.respond(no_such_room_response());
+    return call.respond(error_answer(no_such_room()));
   if (!call.is_admin_of(settings->name)) return call.respond(not_yours());
   switch (call.match.route.call) {
     case AdminCall::kChangeRoom:
@@ -198,7 +193,7 @@ void AdminApi::room(const Call& call) const {
   const RoomSettings* settings = registry_.find(call.parameter(0));
   const Claims* claims = call.claims ? &*call.claims : nullptr;
   if (settings == nullptr || !may_know_of(*settings, claims))
-    return call.respond(no_such_room_response());
+    return call.respond(error_answer(no_such_room()));
   const RoomStats stats = *registry_.stats(settings->name);
   call.respond(json_answer(200, call.is_admin_of(settings->name) ? whole_room(*settings, stats)
                                                                  : brief_room(*settings, stats)));
@@ -241,7 +236,7 @@ void AdminApi::keep_room(const Call& call, const RoomSettings& settings, bool is
       [this, call, settings, is_new](const Status& kept) {
         if (!kept) return call.respond(error_answer(kept.error()));
         const bool is_there = registry_.find(settings.name) != nullptr;
-        if (!is_there && !is_new) return call.respond(no_such_room_response());
+        if (!is_there && !is_new) return call.respond(error_answer(no_such_room()));
         if (is_there) {
           const std::string fields = fields_that_differ(*registry_.find(settings.name), settings);
           if (!fields.empty()) note(call, "changed_room", settings.name, fields);

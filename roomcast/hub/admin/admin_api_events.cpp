@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The AdminApi's calls about a room's events, and about the settings of its sensors, which are
 // answered when the sensor has.
-#include <charconv>
+#include <cstdint>
+#include <optional>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "roomcast/hub/admin/admin_answer.h"
 #include "roomcast/hub/admin/admin_api.h"
+#include "roomcast/hub/admin/path_number.h"
 #include "roomcast/hub/admin/sensor_settings_json.h"
 
 namespace roomcast::hub {
@@ -26,14 +28,12 @@ nlohmann::json event_json(const RoomEvent& event) {
 }  // namespace
 
 void AdminApi::list_events(const Call& call) const {
-  std::uint64_t after = 0;
-  if (call.match.parameters.size() > 1) {
-    const std::string& text = call.parameter(1);
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), after);
-    if (fault != std::errc() || end != text.data() + text.size())
-      return call.respond(error_answer(400, "bad_request", "an event's number is a whole number"));
-  }
-  const RoomEvents::Page page = registry_.events(call.parameter(0), after);
+  const bool has_event = call.match.parameters.size() > 1;
+  const auto after =
+      has_event ? path_number<std::uint64_t>(call.parameter(1)) : std::optional<std::uint64_t>(0);
+  if (!after)
+    return call.respond(error_answer(400, "bad_request", "an event's number is a whole number"));
+  const RoomEvents::Page page = registry_.events(call.parameter(0), *after);
   nlohmann::json events = nlohmann::json::array();
   for (const RoomEvent& event : page.events) events.push_back(event_json(event));
   call.respond(json_answer(200, {{"events", std::move(events)}, {"newest", page.newest}}));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The AdminApi's calls about a room's recordings: the running one, and the files.
-#include <charconv>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -8,6 +8,7 @@
 
 #include "roomcast/hub/admin/admin_answer.h"
 #include "roomcast/hub/admin/admin_api.h"
+#include "roomcast/hub/admin/path_number.h"
 #include "roomcast/hub/admin/watcher_json.h"
 #include "roomcast/net/http_request.h"
 
@@ -31,15 +32,6 @@ std::optional<std::string> name_in(const std::string& body) {
   const auto name = json.find("name");
   if (name == json.end() || !name->is_string()) return std::nullopt;
   return name->get<std::string>();
-}
-
-/// Digits only.
-std::optional<std::uint32_t> number_in(const std::string& text) {
-  std::uint32_t number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [read_to, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || read_to != end) return std::nullopt;
-  return number;
 }
 
 /// Files that do not say their room are shown to admins of the whole hub only.
@@ -144,7 +136,7 @@ void AdminApi::recording_part(const Call& call) const {
   using Kind = WantedPart::Kind;
   const AdminCall asked = call.match.route.call;
   const bool is_key_frame = asked == AdminCall::kRecordingKeyFrame;
-  const auto number = number_in(call.match.parameters.back());
+  const auto number = path_number<std::uint32_t>(call.match.parameters.back());
   if (!number)
     return call.respond(error_answer(400, "bad_request", "the address must end with a number"));
   recordings_->kept().part(scope_of(call, call.parameter(0)), call.parameter(1),

@@ -38,9 +38,9 @@ class ToldViews {
     SensorId sensor;
     wire::pb::WatchedFrom watched;
   };
-  /// What to tell now. `cones` are those of all viewers, in the world; without any, or with more
-  /// than a message takes, sensors send everything. That is told at once, everything else when it
-  /// is due. Sensors that are no takers are told once that they send everything.
+  /// The messages to send now. `cones` are those of all viewers, in the world; without any, or with
+  /// more than a message takes, sensors send everything. That is told at once, everything else when
+  /// it is due. Sensors that are no takers are told once that they send everything.
   [[nodiscard]] std::vector<News> update(const std::vector<ViewCone>& cones,
                                          const std::vector<ViewTaker>& takers, RoomTime now);
   /// It has joined anew, and knows nothing.

@@ -30,7 +30,7 @@ ViewTaker taker(SensorId sensor) {
   return {sensor, {Eigen::Matrix3d::Identity(), {1, 0, 0}}};
 }
 
-/// What is told when it is due, if heads have moved.
+/// The messages that are sent when they are due, if heads have moved.
 std::vector<ToldViews::News> tell(ToldViews& views, const std::vector<ViewCone>& cones,
                                   const std::vector<ViewTaker>& takers, nanoseconds time) {
   views.expect_change(moment(time));

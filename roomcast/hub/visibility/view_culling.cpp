@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "roomcast/wire/limits.h"
+#include "roomcast/wire/visibility_check.h"
 
 namespace roomcast::hub {
 
@@ -146,6 +147,7 @@ std::vector<ViewCone> ViewCulling::cones(RoomTime now) const {
   // Nearer to another one, a cone adds nothing.
   constexpr float kSamePlace_m = 0.02F, kSameWay_rad = 0.02F;
   std::vector<ViewCone> cones;
+  if (viewers_.size() > std::size_t{wire::kMaxViewCones}) return {};
   for (const auto& [id, viewer] : viewers_) {
     if (viewer.half_angle_rad == 0) return {};
     const float half_angle =

@@ -62,7 +62,8 @@ class ViewCulling {
   };
   [[nodiscard]] Wishes wishes_for(SensorId sensor) const;
   /// In which cones these viewers may see within the next moments, by where their heads are and how
-  /// they move, with a margin; none if one of them gets everything.
+  /// they move, with a margin; none if one of them gets everything, or if there are more viewers
+  /// than a WatchedFrom takes cones.
   [[nodiscard]] std::vector<ViewCone> cones(RoomTime now) const;
   /// The time for the next update() if nothing else happens before; nothing: none is needed.
   [[nodiscard]] std::optional<RoomTime> next() const { return next_; }

@@ -19,7 +19,7 @@ constexpr int kMaxStrange = 6;
 constexpr float kSame_mm = 20, kSameShare = 0.015F;
 constexpr double kNoticedShare = 0.004;  // of a view's surfaces
 constexpr double kNoticedColor = 8;      // mean difference, levels
-constexpr int kColorStep = 4;            // every so manieth pixel is compared
+constexpr int kColorStep = 4;            // pixels from one that is compared to the next
 
 int rounded_mm(const model::StillView& still, int x, int y) {
   return still.is_sure(x, y) ? static_cast<int>(std::lround(still.depth_mm(x, y))) : 0;

@@ -28,9 +28,9 @@ class ModelPieces {
   [[nodiscard]] std::uint64_t version() const { return version_; }
   [[nodiscard]] std::size_t bytes() const;
 
-  /// The answer to who has the pieces up to `known` (0: none): those that are newer, and the places
-  /// where a piece has gone. Whoever has a version from before the first update is told to forget
-  /// all.
+  /// The answer to a viewer that has the pieces up to `known` (0: none): the newer pieces, and the
+  /// places where a piece has gone. A version from before the first update is of an earlier run:
+  /// then the answer has all pieces, and tells the viewer to forget those it has.
   [[nodiscard]] std::string changes_after(std::uint64_t known) const;
 
  private:

@@ -2,14 +2,11 @@
 #include "roomcast/recording/modeler/room_modeler.h"
 
 #include <algorithm>
-#include <condition_variable>
 #include <mutex>
-#include <optional>
 #include <set>
 #include <stop_token>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -114,7 +111,7 @@ void RoomModeler::Work::run(const std::stop_token& stop) {
     } else if (!stop.stop_requested()) {
       warn(room.error());
     }
-    std::ignore = wait_until(clock_.now() + kTryAgain, stop);
+    (void)wait_for(kTryAgain, stop);
   }
   save();
 }

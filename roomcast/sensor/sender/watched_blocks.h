@@ -48,7 +48,7 @@ class WatchedBlocks {
  private:
   struct Cone {
     Eigen::Vector3f eye_m, forward;
-    float sine = 0, cosine = 0;  // of half its angle and a margin
+    float sine = 0, cosine = 0;  // of half its angle
   };
   /// The nearest and the farthest reading of a block; 0: none.
   struct Reach {
