@@ -7,17 +7,21 @@
 
 #include "bench/model/mesh_depth.h"
 #include "bench/render/drawing_cost.h"
+#include "roomcast/io/file_bytes.h"
 #include "roomcast/io/image_file.h"
 #include "roomcast/io/new_folder.h"
+#include "roomcast/model/pieces/decoded_model.h"
+#include "roomcast/model/pieces/draco_mesh.h"
 #include "roomcast/model/volume_mesh.h"
 #include "roomcast/recording/export/set_writer.h"
-#include "roomcast/recording/mesh/draco_mesh.h"
 #include "roomcast/recording/mesh/room_views.h"
 
 namespace roomcast::bench {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxKeptBytes = 100'000'000;
 
 Result<std::vector<StillTruth>> sensor_truths(const fs::path& rig,
                                               const std::vector<recording::SetSensor>& sensors) {
@@ -95,14 +99,44 @@ Result<ModelRow> add_scores(const fs::path& rig, const model::RoomMesh& mesh,
 
 /// Counts the bytes; with `keep` the mesh is the compressed one from here on.
 Status compress(bool keep, model::RoomMesh& mesh, ModelRow& row) {
-  const auto coded = recording::encode_draco(mesh);
+  const auto coded = model::encode_draco(mesh);
   if (!coded) return coded.error();
   row.file_bytes = coded->bytes.size();
   if (!keep) return {};
-  auto decoded = recording::decode_draco(coded->bytes);
+  auto decoded = model::decode_draco(coded->bytes);
   if (!decoded) return decoded.error();
   mesh = *std::move(decoded);
   return {};
+}
+
+/// The pieces as one mesh.
+Result<model::RoomMesh> read_kept(const fs::path& file) {
+  std::vector<std::uint8_t> bytes;
+  if (auto status = io::read_file(file, kMaxKeptBytes, bytes); !status) return status.error();
+  const auto model = model::decode_model(bytes);
+  if (!model) return model.error();
+  model::RoomMesh mesh;
+  for (const model::DecodedModel::Piece& piece : model->pieces) {
+    const auto first = static_cast<std::uint32_t>(mesh.points_m.size());
+    mesh.points_m.insert(mesh.points_m.end(), piece.mesh.points_m.begin(),
+                         piece.mesh.points_m.end());
+    mesh.colors.insert(mesh.colors.end(), piece.mesh.colors.begin(), piece.mesh.colors.end());
+    for (const auto& [a, b, c] : piece.mesh.triangles)
+      mesh.triangles.push_back({first + a, first + b, first + c});
+  }
+  return mesh;
+}
+
+Result<ModelRow> measure_kept(const fs::path& rig, const ModelBenchOptions& options,
+                              Gathered gathered, ModelRow row) {
+  const auto mesh = read_kept(*options.kept);
+  if (!mesh) return mesh.error();
+  row.views = gathered.views.views();
+  row.points = mesh->points_m.size();
+  row.triangles = mesh->triangles.size();
+  std::error_code error;
+  row.file_bytes = fs::file_size(*options.kept, error);
+  return add_scores(rig, *mesh, gathered.truths, options, row);
 }
 
 Result<ModelRow> measure(const fs::path& rig, const ModelBenchOptions& options,
@@ -113,6 +147,7 @@ Result<ModelRow> measure(const fs::path& rig, const ModelBenchOptions& options,
   row.rig = rig.lexically_normal().filename().string();
   row.frames = gathered->views.frames();
   row.frame_cpu_ms = gathered->cpu_ms / static_cast<double>(std::max<std::size_t>(1, row.frames));
+  if (options.kept) return measure_kept(rig, options, *std::move(gathered), row);
   progress(row.rig + ": fusing");
   const double before_ms = process_cpu_ms();
   const auto surfaces = gathered->views.take_surfaces();
@@ -137,6 +172,8 @@ Result<ModelRow> measure(const fs::path& rig, const ModelBenchOptions& options,
 
 Result<std::vector<ModelRow>> run_model_bench(
     const ModelBenchOptions& options, const std::function<void(const std::string&)>& progress) {
+  if (options.kept && options.rigs.size() != 1)
+    return invalid_argument("--kept is the model of one rig");
   std::vector<ModelRow> rows;
   for (const fs::path& rig : options.rigs) {
     auto row = measure(rig, options, progress);

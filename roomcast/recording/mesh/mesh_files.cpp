@@ -8,9 +8,9 @@
 
 #include "roomcast/core/assert.h"
 #include "roomcast/core/srgb.h"
+#include "roomcast/model/pieces/draco_mesh.h"
 #include "roomcast/recording/export/glb_document.h"
 #include "roomcast/recording/export/little_endian_bytes.h"
-#include "roomcast/recording/mesh/draco_mesh.h"
 
 namespace roomcast::recording {
 namespace {
@@ -63,7 +63,7 @@ void append_glb_mesh(const model::RoomMesh& mesh, std::vector<std::uint8_t>& out
 }
 
 Status append_draco_mesh(const model::RoomMesh& mesh, std::vector<std::uint8_t>& out) {
-  const auto coded = encode_draco(mesh);
+  const auto coded = model::encode_draco(mesh);
   if (!coded) return coded.error();
   GlbDocument document;
   const std::size_t begin = document.binary.size();
@@ -71,7 +71,7 @@ Status append_draco_mesh(const model::RoomMesh& mesh, std::vector<std::uint8_t>&
   const std::size_t view = document.add_view(begin, 0);
   const nlohmann::json extension = {
       {"bufferView", view},
-      {"attributes", {{"POSITION", kDracoPositions}, {"COLOR_0", kDracoColors}}}};
+      {"attributes", {{"POSITION", model::kDracoPositions}, {"COLOR_0", model::kDracoColors}}}};
   const nlohmann::json primitive = {
       {"attributes",
        {{"POSITION", document.add_coded_positions(mesh.points_m, coded->points)},

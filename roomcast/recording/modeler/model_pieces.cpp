@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "roomcast/recording/mesh/draco_mesh.h"
-#include "roomcast/recording/modeler/model_message.h"
+#include "roomcast/model/pieces/draco_mesh.h"
+#include "roomcast/model/pieces/model_message.h"
 
 namespace roomcast::recording {
 namespace {
@@ -93,7 +93,7 @@ bool ModelPieces::update(const model::RoomMesh& mesh, std::uint64_t version) {
     const auto known = pieces_.find(place);
     const bool is_known = known != pieces_.end() && !known->second.draco.empty();
     if (is_known && look_alike(known->second.look, look)) continue;
-    auto coded = encode_draco(part);
+    auto coded = model::encode_draco(part);
     if (!coded) continue;  // nothing of it has an area
     pieces_[place] = {version, std::move(coded->bytes), std::move(look)};
     is_different = true;
@@ -111,12 +111,12 @@ std::size_t ModelPieces::bytes() const {
 }
 
 std::string ModelPieces::changes_after(std::uint64_t known) const {
-  ModelMessage message{.is_whole = known < first_version_, .version = version_};
+  model::ModelMessage message{.is_whole = known < first_version_, .version = version_};
   for (const auto& [place, piece] : pieces_) {
     if (message.is_whole ? !piece.draco.empty() : piece.version > known)
       message.pieces.push_back({place, piece.draco});
   }
-  return write_model_message(message);
+  return model::write_model_message(message);
 }
 
 }  // namespace roomcast::recording

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "roomcast/recording/mesh/draco_mesh.h"
-#include "roomcast/recording/modeler/model_message.h"
+#include "roomcast/model/pieces/draco_mesh.h"
+#include "roomcast/model/pieces/model_message.h"
 
 namespace roomcast::recording {
 namespace {
@@ -44,14 +44,14 @@ model::RoomMesh both(model::RoomMesh a, const model::RoomMesh& b) {
   return a;
 }
 
-ModelMessage parsed(const std::string& bytes) {
-  const auto message = read_model_message(
+model::ModelMessage parsed(const std::string& bytes) {
+  const auto message = model::read_model_message(
       std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
   EXPECT_TRUE(message.ok()) << message.error().message;
   return *message;
 }
 
-std::vector<std::int32_t> places(const ModelMessage& message) {
+std::vector<std::int32_t> places(const model::ModelMessage& message) {
   std::vector<std::int32_t> x;
   for (const auto& piece : message.pieces) x.push_back(piece.place.x);
   return x;
@@ -102,7 +102,7 @@ TEST(ModelPieces, a_piece_that_goes_is_named_with_nothing_in_it) {
   EXPECT_TRUE(pieces.update(both(floor_at(0.5F), floor_at(4.5F)), 100));
   EXPECT_TRUE(pieces.update(floor_at(0.5F), 200));
   const std::string next = pieces.changes_after(150);
-  const ModelMessage change = parsed(next);
+  const model::ModelMessage change = parsed(next);
   ASSERT_EQ(change.pieces.size(), 1u);
   EXPECT_EQ(change.pieces[0].place.x, 2);
   EXPECT_TRUE(change.pieces[0].draco.empty());
@@ -123,7 +123,7 @@ TEST(ModelPieces, pieces_can_be_decoded) {
   const auto mesh = floor_at(0.5F);
   EXPECT_TRUE(pieces.update(mesh, 100));
   const std::string bytes = pieces.changes_after(0);
-  const auto decoded = decode_draco(parsed(bytes).pieces.at(0).draco);
+  const auto decoded = model::decode_draco(parsed(bytes).pieces.at(0).draco);
   ASSERT_TRUE(decoded.ok());
   EXPECT_EQ(decoded->triangles.size(), mesh.triangles.size());
 }

@@ -11,8 +11,8 @@
 #include "roomcast/client/subscriber.h"
 #include "roomcast/core/temporary_folder.h"
 #include "roomcast/hub/server/running_hub.h"
+#include "roomcast/model/pieces/model_message.h"
 #include "roomcast/recording/export/wall_fixture.h"
-#include "roomcast/recording/modeler/model_message.h"
 
 namespace roomcast::recording {
 namespace {
@@ -88,7 +88,7 @@ TEST_F(RoomModelerTest, fuses_what_a_watched_room_shows_and_keeps_it_across_a_re
   auto viewer = watch();
   ASSERT_TRUE(within_20_s([&] { return modeler->changes_after(0) != nullptr; }));
   const auto model = modeler->changes_after(0);
-  const auto message = read_model_message(
+  const auto message = model::read_model_message(
       std::span(reinterpret_cast<const std::uint8_t*>(model->data()), model->size()));
   ASSERT_TRUE(message.ok());
   EXPECT_TRUE(message->is_whole);

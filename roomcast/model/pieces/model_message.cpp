@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/recording/modeler/model_message.h"
+#include "roomcast/model/pieces/model_message.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 
-#include "roomcast/recording/export/little_endian_bytes.h"
-
-namespace roomcast::recording {
+namespace roomcast::model {
 namespace {
 
 constexpr std::array<std::uint8_t, 3> kModelMagic = {'R', 'C', 'M'};
@@ -16,6 +14,10 @@ constexpr std::size_t kHeaderBytes = 20, kPieceHeaderBytes = 16;
 
 Error not_a_model() {
   return {ErrorCode::kMalformed, "this is not the model of a room"};
+}
+
+void append_u32(std::uint32_t value, std::vector<std::uint8_t>& out) {
+  for (unsigned i = 0; i < 4; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
 }
 
 std::uint32_t u32_at(std::span<const std::uint8_t> bytes, std::size_t at) {
@@ -58,7 +60,7 @@ Result<ModelMessage> read_model_message(std::span<const std::uint8_t> bytes) {
       return static_cast<std::int32_t>(u32_at(bytes, at + 4 * n));
     };
     const std::size_t length = u32_at(bytes, at + 12);
-    const model::GridPlace place{axis(0), axis(1), axis(2)};
+    const GridPlace place{axis(0), axis(1), axis(2)};
     at += kPieceHeaderBytes;
     if (bytes.size() - at < length) return not_a_model();
     message.pieces.push_back({place, bytes.subspan(at, length)});
@@ -68,4 +70,4 @@ Result<ModelMessage> read_model_message(std::span<const std::uint8_t> bytes) {
   return message;
 }
 
-}  // namespace roomcast::recording
+}  // namespace roomcast::model

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/recording/mesh/draco_mesh.h"
+#include "roomcast/model/pieces/draco_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,13 +8,13 @@
 
 #include <gtest/gtest.h>
 
-namespace roomcast::recording {
+namespace roomcast::model {
 namespace {
 
 /// A wavy floor of 4 x 4 m in cells of 2 cm, every point of another colour.
-model::RoomMesh floor_mesh() {
+RoomMesh floor_mesh() {
   constexpr std::uint32_t kSide = 200;
-  model::RoomMesh mesh;
+  RoomMesh mesh;
   for (std::uint32_t z = 0; z < kSide; ++z) {
     for (std::uint32_t x = 0; x < kSide; ++x) {
       const float height = 0.05F * std::sin(0.1F * static_cast<float>(x + z));
@@ -34,7 +34,7 @@ model::RoomMesh floor_mesh() {
 }
 
 TEST(DracoMesh, points_move_by_less_than_a_step_and_colors_by_little) {
-  const model::RoomMesh mesh = floor_mesh();
+  const RoomMesh mesh = floor_mesh();
   const auto coded = encode_draco(mesh);
   ASSERT_TRUE(coded.ok()) << coded.error().message;
   EXPECT_EQ(coded->triangles, mesh.triangles.size());
@@ -56,7 +56,7 @@ TEST(DracoMesh, points_move_by_less_than_a_step_and_colors_by_little) {
 }
 
 TEST(DracoMesh, takes_a_fraction_of_the_bytes) {
-  const model::RoomMesh mesh = floor_mesh();
+  const RoomMesh mesh = floor_mesh();
   const auto coded = encode_draco(mesh);
   ASSERT_TRUE(coded.ok());
   const std::size_t plain = 20 * mesh.points_m.size() + 12 * mesh.triangles.size();
@@ -64,12 +64,12 @@ TEST(DracoMesh, takes_a_fraction_of_the_bytes) {
 }
 
 TEST(DracoMesh, a_mesh_without_an_area_or_of_a_whole_town_is_refused) {
-  model::RoomMesh flat;
+  RoomMesh flat;
   flat.points_m = {{0, 0, 0}, {1, 0, 0}};
   flat.colors.resize(2);
   flat.triangles = {{0, 1, 1}};
   EXPECT_FALSE(encode_draco(flat).ok());
-  model::RoomMesh town = floor_mesh();
+  RoomMesh town = floor_mesh();
   town.points_m.front().x() = 5'000;
   const auto coded = encode_draco(town);
   ASSERT_FALSE(coded.ok());
@@ -84,4 +84,4 @@ TEST(DracoMesh, damaged_bytes_are_no_mesh_or_another_one) {
 }
 
 }  // namespace
-}  // namespace roomcast::recording
+}  // namespace roomcast::model

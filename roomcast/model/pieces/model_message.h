@@ -11,13 +11,13 @@
 #include "roomcast/core/result.h"
 #include "roomcast/model/room_volume.h"
 
-namespace roomcast::recording {
+namespace roomcast::model {
 
 struct ModelMessage {
   bool is_whole = false;      // forget all pieces received before
   std::uint64_t version = 0;  // to be named when changes are asked for next
   struct Piece {
-    model::GridPlace place;               // of its cube
+    GridPlace place;                      // of its cube
     std::span<const std::uint8_t> draco;  // empty: there is none there any more
   };
   std::vector<Piece> pieces = {};
@@ -28,4 +28,4 @@ struct ModelMessage {
 /// The pieces refer to `bytes`. kMalformed for anything else, kUnsupported for a later version.
 [[nodiscard]] Result<ModelMessage> read_model_message(std::span<const std::uint8_t> bytes);
 
-}  // namespace roomcast::recording
+}  // namespace roomcast::model

@@ -12,7 +12,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/model/room_mesh.h"
 
-namespace roomcast::recording {
+namespace roomcast::model {
 
 /// Of the grid of points.
 inline constexpr float kDracoStep_m = 0.002F;
@@ -27,9 +27,9 @@ struct DracoMesh {
 
 /// `mesh` has colours and at least one triangle. kInvalidArgument: it is too wide for the grid, or
 /// no triangle has an area.
-[[nodiscard]] Result<DracoMesh> encode_draco(const model::RoomMesh& mesh);
+[[nodiscard]] Result<DracoMesh> encode_draco(const RoomMesh& mesh);
 
 /// The mesh in `bytes`, its points in another order. kMalformed: not of encode_draco.
-[[nodiscard]] Result<model::RoomMesh> decode_draco(std::span<const std::uint8_t> bytes);
+[[nodiscard]] Result<RoomMesh> decode_draco(std::span<const std::uint8_t> bytes);
 
-}  // namespace roomcast::recording
+}  // namespace roomcast::model

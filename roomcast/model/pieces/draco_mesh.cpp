@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/recording/mesh/draco_mesh.h"
+#include "roomcast/model/pieces/draco_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -13,15 +13,16 @@
 
 #include "roomcast/core/srgb.h"
 
-namespace roomcast::recording {
+namespace roomcast::model {
 namespace {
 
 constexpr int kColorBits = 9;  // of linear light: with 8, dark colours would be too far apart
 constexpr int kMaxPositionBits = 20;
-constexpr int kSpeed = 0;  // 0: smallest, 10: fastest
+constexpr std::uint32_t kMaxElements = 20'000'000;  // points, triangles: more are of no room
+constexpr int kSpeed = 0;                           // 0: smallest, 10: fastest
 
 /// So many that the grid is as fine as kDracoStep_m.
-int position_bits(const model::RoomMesh& mesh) {
+int position_bits(const RoomMesh& mesh) {
   Eigen::AlignedBox3f box_m;
   for (const Eigen::Vector3f& point : mesh.points_m) box_m.extend(point);
   const float steps = std::max(1.0F, box_m.sizes().maxCoeff() / kDracoStep_m);
@@ -43,7 +44,7 @@ void add_attribute(draco::GeometryAttribute::Type type, std::size_t count, Value
 }
 
 /// In the order of kDracoPositions, kDracoColors.
-void copy(const model::RoomMesh& from, draco::Mesh& to) {
+void copy(const RoomMesh& from, draco::Mesh& to) {
   const std::array<float, 256> linear = linear_levels();
   to.set_num_points(static_cast<std::uint32_t>(from.points_m.size()));
   add_attribute(
@@ -64,9 +65,10 @@ void copy(const model::RoomMesh& from, draco::Mesh& to) {
     to.AddFace({draco::PointIndex(a), draco::PointIndex(b), draco::PointIndex(c)});
 }
 
-/// Of linear light; what is not within 0..1 is brought there.
+/// Of linear light; what is not within 0..1 is brought there, and what is no number becomes 0.
 std::uint8_t nearest_level(float linear) {
-  return static_cast<std::uint8_t>(std::lround(level_from_linear(std::clamp(linear, 0.0F, 1.0F))));
+  const float within = std::isnan(linear) ? 0.0F : std::clamp(linear, 0.0F, 1.0F);
+  return static_cast<std::uint8_t>(std::lround(level_from_linear(within)));
 }
 
 Error damaged() {
@@ -81,7 +83,7 @@ std::array<float, 3> numbers_of(const draco::PointAttribute& attribute, std::uin
 
 }  // namespace
 
-Result<DracoMesh> encode_draco(const model::RoomMesh& mesh) {
+Result<DracoMesh> encode_draco(const RoomMesh& mesh) {
   const int bits = position_bits(mesh);
   if (bits > kMaxPositionBits)
     return invalid_argument("this room is too wide for a small file; use --crop");
@@ -100,7 +102,7 @@ Result<DracoMesh> encode_draco(const model::RoomMesh& mesh) {
                    encoder.num_encoded_faces()};
 }
 
-Result<model::RoomMesh> decode_draco(std::span<const std::uint8_t> bytes) {
+Result<RoomMesh> decode_draco(std::span<const std::uint8_t> bytes) {
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   draco::Decoder decoder;
@@ -110,18 +112,23 @@ Result<model::RoomMesh> decode_draco(std::span<const std::uint8_t> bytes) {
   const draco::PointAttribute* const positions = coded->GetAttributeByUniqueId(kDracoPositions);
   const draco::PointAttribute* const colors = coded->GetAttributeByUniqueId(kDracoColors);
   if (positions == nullptr || colors == nullptr) return damaged();
-  model::RoomMesh mesh;
-  for (std::uint32_t i = 0; i < coded->num_points(); ++i) {
+  const std::uint32_t points = coded->num_points(), triangles = coded->num_faces();
+  if (points > kMaxElements || triangles > kMaxElements) return damaged();
+  RoomMesh mesh;
+  for (std::uint32_t i = 0; i < points; ++i) {
     const auto [x, y, z] = numbers_of(*positions, i);
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) return damaged();
     mesh.points_m.emplace_back(x, y, z);
     const auto [r, g, b] = numbers_of(*colors, i);
     mesh.colors.push_back({nearest_level(r), nearest_level(g), nearest_level(b)});
   }
-  for (std::uint32_t i = 0; i < coded->num_faces(); ++i) {
+  for (std::uint32_t i = 0; i < triangles; ++i) {
     const draco::Mesh::Face& face = coded->face(draco::FaceIndex(i));
+    if (std::ranges::any_of(face, [&](const auto corner) { return corner.value() >= points; }))
+      return damaged();
     mesh.triangles.push_back({face[0].value(), face[1].value(), face[2].value()});
   }
   return mesh;
 }
 
-}  // namespace roomcast::recording
+}  // namespace roomcast::model

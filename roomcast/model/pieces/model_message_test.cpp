@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "roomcast/recording/modeler/model_message.h"
+#include "roomcast/model/pieces/model_message.h"
 
 #include <gtest/gtest.h>
 
-namespace roomcast::recording {
+namespace roomcast::model {
 namespace {
 
 std::vector<std::uint8_t> bytes_of(const std::string& text) {
@@ -24,7 +24,7 @@ TEST(ModelMessage, is_read_as_it_was_written) {
   EXPECT_TRUE(message->is_whole);
   EXPECT_EQ(message->version, 0x1'0000'0002u);
   ASSERT_EQ(message->pieces.size(), 2u);
-  EXPECT_EQ(message->pieces[0].place, (model::GridPlace{-1, 0, 7}));
+  EXPECT_EQ(message->pieces[0].place, (GridPlace{-1, 0, 7}));
   EXPECT_EQ(message->pieces[0].draco.size(), 3u);
   EXPECT_EQ(message->pieces[0].draco[2], 3);
   EXPECT_TRUE(message->pieces[1].draco.empty());
@@ -59,4 +59,4 @@ TEST(ModelMessage, a_later_version_is_named_so) {
 }
 
 }  // namespace
-}  // namespace roomcast::recording
+}  // namespace roomcast::model
