@@ -5,6 +5,7 @@
 
 #include "roomcast/simulator/people/moving_things.h"
 #include "roomcast/simulator/scene/board_bearer.h"
+#include "roomcast/simulator/scene/moved_cabinet.h"
 #include "roomcast/simulator/scene/walkabout.h"
 
 namespace roomcast::simulator {
@@ -26,13 +27,18 @@ bool let_in(Visitor visitor, simulator::Room& room) {
 
 Result<std::shared_ptr<const SimulatedRoom>> SimulatedRoom::build(std::string_view scene,
                                                                   std::uint64_t seed,
-                                                                  Visitor visitor) {
+                                                                  Visitor visitor,
+                                                                  std::optional<int> cabinet) {
   auto room = simulator::build_room(scene, seed);
   if (!room) return std::move(room).error();
   if (!let_in(visitor, *room)) {
     return Error{
         ErrorCode::kInvalidArgument,
         "the scene \"" + room->name + "\" has no walking person whose way a visitor could take"};
+  }
+  if (cabinet && !simulator::add_cabinet(*room, *cabinet)) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "the scene \"" + room->name + "\" has no space for a cabinet"};
   }
   std::shared_ptr<SimulatedRoom> built(new SimulatedRoom(*std::move(room)));
   auto rays = simulator::RayScene::build(built->room_.mesh);

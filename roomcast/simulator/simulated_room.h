@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "roomcast/core/result.h"
@@ -19,12 +20,14 @@ enum class Visitor { kNone, kWalkabout, kBoardBearer };
 
 class SimulatedRoom {
  public:
-  /// kNotFound for an unknown scene (the message lists them); kUnavailable if the ray tracer does
-  /// not start; kInvalidArgument for a visitor in a scene without a walking person, whose paths the
-  /// visitor would use.
+  /// `cabinet`: the place of a cabinet (scene/moved_cabinet.h). kNotFound for an unknown scene (the
+  /// message lists them); kUnavailable if the ray tracer does not start; kInvalidArgument for a
+  /// visitor in a scene without a walking person, whose paths the visitor would use, and for a
+  /// cabinet in one without space.
   static Result<std::shared_ptr<const SimulatedRoom>> build(std::string_view scene,
                                                             std::uint64_t seed,
-                                                            Visitor visitor = Visitor::kNone);
+                                                            Visitor visitor = Visitor::kNone,
+                                                            std::optional<int> cabinet = {});
 
   [[nodiscard]] const simulator::Room& room() const { return room_; }
   [[nodiscard]] const simulator::RayScene& rays() const { return *rays_; }

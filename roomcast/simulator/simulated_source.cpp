@@ -39,6 +39,11 @@ class SimulatedSource final : public source::FrameSource {
     bump_ = Bump{time_of(next_instant_) + after_opening, MountedSensor(std::move(moved))};
   }
 
+  /// The room is as `other` sees it in every second stretch of this length.
+  void rearrange_every(nanoseconds stretch, std::unique_ptr<SimulatedSensor> other) {
+    rearranged_ = Rearranged{stretch, MountedSensor(std::move(other))};
+  }
+
   const source::SensorDescription& description() const override { return description_; }
 
   Result<bool> next(source::CapturedFrame& frame, std::stop_token stop) override {
@@ -51,7 +56,7 @@ class SimulatedSource final : public source::FrameSource {
     frame.index = frame_count_++;
     frame.capture_time = HostTime(scene_time);
     frame.device_time = scene_time + device_offset_;
-    capture(bump_ && scene_time >= bump_->at ? bump_->mounted : mounted_, scene_time, frame);
+    capture(mounted_at(scene_time), scene_time, frame);
     return true;
   }
 
@@ -70,6 +75,17 @@ class SimulatedSource final : public source::FrameSource {
     nanoseconds at;  // scene time
     MountedSensor mounted;
   };
+
+  struct Rearranged {
+    nanoseconds stretch;  // scene time
+    MountedSensor mounted;
+  };
+
+  MountedSensor& mounted_at(nanoseconds scene_time) {
+    if (bump_ && scene_time >= bump_->at) return bump_->mounted;
+    const bool is_other = rearranged_ && (scene_time / rearranged_->stretch) % 2 == 1;
+    return is_other ? rearranged_->mounted : mounted_;
+  }
 
   static void capture(MountedSensor& mounted, nanoseconds scene_time,
                       source::CapturedFrame& frame) {
@@ -95,6 +111,7 @@ class SimulatedSource final : public source::FrameSource {
 
   MountedSensor mounted_;
   std::optional<Bump> bump_;
+  std::optional<Rearranged> rearranged_;
   source::Pace pace_;
   double period_s_;
   nanoseconds phase_;
@@ -114,8 +131,9 @@ Result<std::unique_ptr<source::FrameSource>> open_simulated_source(
   }
   const auto spec = parse_simulated_spec(text);
   if (!spec) return spec.error();
-  auto room = SimulatedRoom::build(spec->scene, options.seed,
-                                   spec->board ? Visitor::kBoardBearer : Visitor::kNone);
+  const Visitor visitor = spec->board ? Visitor::kBoardBearer : Visitor::kNone;
+  const auto cabinet = spec->cabinet_s ? std::optional(0) : std::nullopt;
+  auto room = SimulatedRoom::build(spec->scene, options.seed, visitor, cabinet);
   if (!room) return std::move(room).error();
   SimulatedSensor::Options sensing;
   sensing.index = sensor_index;
@@ -133,6 +151,13 @@ Result<std::unique_ptr<source::FrameSource>> open_simulated_source(
     auto moved = SimulatedSensor::open(*room, sensing);
     if (!moved) return std::move(moved).error();
     source->bump_at(nanoseconds(std::llround(1e9 * *spec->bump_at_s)), *std::move(moved));
+  }
+  if (spec->cabinet_s && *spec->cabinet_s > 0) {
+    auto rearranged = SimulatedRoom::build(spec->scene, options.seed, visitor, 1);
+    if (!rearranged) return std::move(rearranged).error();
+    auto other = SimulatedSensor::open(*rearranged, sensing);
+    if (!other) return std::move(other).error();
+    source->rearrange_every(nanoseconds(std::llround(1e9 * *spec->cabinet_s)), *std::move(other));
   }
   return std::unique_ptr<source::FrameSource>(std::move(source));
 }

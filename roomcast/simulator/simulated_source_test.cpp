@@ -68,6 +68,23 @@ TEST(SimulatedSource, frame_is_what_the_sensor_reports_of_its_instant) {
   }
 }
 
+TEST(SimulatedSource, a_cabinet_goes_to_and_fro) {
+  SimulatedSourceOptions options = as_fast_as_possible();
+  options.fps = 2;
+  const auto moved =
+      open_simulated_source("livingroom,speed=0,clean,cabinet=1", 0, options).value();
+  source::CapturedFrame frame;
+  std::vector<DepthImage> depths;
+  for (int i = 0; i < 6; ++i) {
+    ASSERT_TRUE(moved->next(frame, {}).value());
+    depths.push_back(frame.depth_mm);
+  }
+  EXPECT_EQ(depths[0], depths[1]) << "of the first second";
+  EXPECT_FALSE(depths[1] == depths[2]);
+  EXPECT_EQ(depths[2], depths[3]);
+  EXPECT_EQ(depths[4], depths[0]);
+}
+
 TEST(SimulatedSource, a_bump_moves_the_sensor_once) {
   SimulatedSourceOptions options = as_fast_as_possible();
   options.fps = 2;

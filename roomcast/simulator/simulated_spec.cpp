@@ -17,7 +17,7 @@ constexpr std::string_view kOptions =
     "; a simulated source is sim[:scene[,camera=kinect2|azure|d435][,speed=0..10][,color=half|full]"
     "[,interference=BURSTS_PER_MINUTE][,mutual[=no]][,bump_at=SECONDS][,bump_cm=0..100][,bump_deg="
     "0..90]"
-    "[,board]["
+    "[,board][,cabinet=SECONDS]["
     ",harsh[=tof|structured|mixed]][,clean]"
     "]";
 
@@ -48,6 +48,7 @@ std::optional<NumberOption> number_named(std::string_view name, SimulatedSpec& s
     return into(spec.sensing.interference_per_minute, kMaxInterferencePerMinute);
   if (name == "bump_at") return into(spec.bump_at_s, kMaxBumpAt_s);
   if (name == "bump_cm") return into(spec.bump.shift_cm, kMaxBump_cm);
+  if (name == "cabinet") return into(spec.cabinet_s, kMaxCabinet_s);
   if (name == "bump_deg") return into(spec.bump.angle_deg, kMaxBump_deg);
   return std::nullopt;
 }
