@@ -47,6 +47,7 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
     case pb::Control::kCoarseDepth:
       if (sensor == nullptr) break;
       sensor->coarse_depth = message.coarse_depth();
+      sensor->gone.update(message.coarse_depth(), now);
       sensor->surface_pose.reset();
       follow_surface(*sensor);
       return out;

@@ -50,7 +50,12 @@ void Room::take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out) {
     return;
   }
   RoomSensor& sensor = *sensors_.find(frame.from);
-  if (frame.header.key) sensor.key_pace.key_frame_came();
+  if (frame.header.key) {
+    sensor.key_pace.key_frame_came();
+    sensor.gone.key_frame_came(now);
+  } else if (!modelers_.empty() && sensor.gone.wants_key(now)) {
+    std::ranges::move(key_needed(sensor.id, now), std::back_inserter(out));
+  }
   count_frame(frame.header, frame.message.size(), now, sensor.stats);
   sets_.add_frame(frame.header, std::move(frame.message), now);
 }

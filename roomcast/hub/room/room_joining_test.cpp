@@ -150,6 +150,32 @@ TEST_F(RoomTest, a_modeler_gets_key_frames_and_is_nobody_in_the_room) {
   EXPECT_THAT(room.connections(), IsEmpty());
 }
 
+TEST_F(RoomTest, a_sensor_is_asked_for_key_frames_once_something_has_gone_if_there_is_a_modeler) {
+  const auto sensor = enter(sensor_join("left"));
+  enter(viewer_join());
+  const auto sees = [&](std::uint32_t near_cm, nanoseconds now) {
+    pb::Control control;
+    auto& depth = *control.mutable_coarse_depth();
+    depth.set_columns(1);
+    depth.set_rows(1);
+    depth.add_near_cm(near_cm);
+    depth.add_far_cm(400);
+    (void)room.control(sensor, control, at(now));
+  };
+  const auto asked_at = [&](nanoseconds now) {
+    return !messages(frame(sensor, SensorId{0}, now, now, false), pb::Control::kKeyRequest).empty();
+  };
+  sees(250, 1s);
+  sees(400, 5s);
+  EXPECT_FALSE(asked_at(5s)) << "nobody keeps a model";
+  enter(modeler_join(), 6s);
+  for (const auto now : {6s, 7s, 8s}) {
+    EXPECT_TRUE(asked_at(now));
+    (void)frame(sensor, SensorId{0}, now + 100ms, now + 100ms);
+  }
+  EXPECT_FALSE(asked_at(9s)) << "three are enough";
+}
+
 TEST_F(RoomTest, has_place_for_few_modelers) {
   for (std::size_t i = 0; i < wire::kMaxModelers; ++i) enter(modeler_join());
   const auto refused = room.join(ConnectionId{99}, modeler_join(), {}, at(0s));

@@ -15,6 +15,7 @@
 
 #include "roomcast/core/ids.h"
 #include "roomcast/geometry/sensor_pose.h"
+#include "roomcast/hub/room/gone_surfaces.h"
 #include "roomcast/hub/room/key_request_pace.h"
 #include "roomcast/hub/room/known_sensor.h"
 #include "roomcast/hub/room/room_stats.h"
@@ -49,6 +50,7 @@ struct RoomSensor {
   wire::pb::FrameDemand wanted = {};                       // what it should be told
   wire::pb::FrameDemand told = {};                         // on this connection
   KeyRequestPace key_pace = {};
+  GoneSurfaces gone = {};
   SensorStats stats = {};  // the counters that change with its frames
 };
 

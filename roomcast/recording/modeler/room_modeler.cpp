@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <stop_token>
 #include <thread>
 #include <utility>
 
 #include <sys/resource.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "roomcast/client/subscriber.h"
@@ -29,14 +31,22 @@ constexpr auto kWaitForPictures = 500ms;
 constexpr auto kTryAgain = 3s;
 constexpr auto kBetweenRequests = 4s;
 constexpr auto kBetweenSaves = 60s;
-/// Fusing takes at most this share of the time, so that a room in which much changes does not keep
-/// a core busy.
-constexpr int kRestPerWork = 12;
+/// From the first view in which something is different: the other sensors' follow.
+constexpr auto kSettle = 1500ms;
+/// Fusing takes at most a third of a core's time, so that a room in which much changes does not
+/// keep one busy. Counted in CPU time: on a busy machine work that takes long is not more work.
+constexpr int kRestPerWork = 2;
 
 std::uint64_t milliseconds_since_1970() {
   return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(
                                         std::chrono::system_clock::now().time_since_epoch())
                                         .count());
+}
+
+nanoseconds thread_cpu_time() {
+  ::timespec spent{};
+  (void)::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+  return std::chrono::seconds(spent.tv_sec) + nanoseconds(spent.tv_nsec);
 }
 
 }  // namespace
@@ -69,6 +79,7 @@ class RoomModeler::Work {
   void follow(client::Subscriber& room, const std::stop_token& stop);
   void take(const client::RoomSnapshot& room);
   void ask_for_more(const client::RoomSnapshot& room, client::Subscriber& subscriber);
+  void fuse_when_due(const std::stop_token& stop);
   void fuse(const std::stop_token& stop);
   void load();
   void save();
@@ -80,6 +91,7 @@ class RoomModeler::Work {
   LiveSets sets_;
   SteadyClock clock_;
   HostTime next_request_{}, next_fusing_{}, next_save_{};
+  std::optional<HostTime> noticed_;  // when something was different first; not fused yet
   /// Sensors that the hub has named. One that it names no longer was sent away; one that it has not
   /// named yet may still come.
   std::set<std::string> listed_;
@@ -121,11 +133,13 @@ void RoomModeler::Work::follow(client::Subscriber& room, const std::stop_token& 
   std::uint64_t revision = 0;
   while (!stop.stop_requested() && !room.failure()) {
     const auto snapshot = room.wait_newer(revision, kWaitForPictures);
-    if (snapshot->revision == revision) continue;
-    revision = snapshot->revision;
-    take(*snapshot);
-    if (clock_.now() >= next_request_) ask_for_more(*snapshot, room);
-    if (clock_.now() >= next_fusing_ && views_.are_worth_fusing()) fuse(stop);
+    if (snapshot->revision != revision) {
+      revision = snapshot->revision;
+      take(*snapshot);
+      if (clock_.now() >= next_request_) ask_for_more(*snapshot, room);
+      if (!noticed_ && views_.are_worth_fusing()) noticed_ = clock_.now();
+    }
+    fuse_when_due(stop);
     if (clock_.now() >= next_save_) save();
   }
 }
@@ -153,11 +167,18 @@ void RoomModeler::Work::ask_for_more(const client::RoomSnapshot& room,
   }
 }
 
+void RoomModeler::Work::fuse_when_due(const std::stop_token& stop) {
+  if (!noticed_ || clock_.now() < std::max(*noticed_ + kSettle, next_fusing_)) return;
+  noticed_.reset();
+  fuse(stop);
+}
+
 void RoomModeler::Work::fuse(const std::stop_token& stop) {
   if (!views_.are_worth_fusing()) return;
-  const HostTime began = clock_.now();
+  const nanoseconds spent_before = thread_cpu_time();
   MeshWriterOptions meshing;
   meshing.model = options_.model;
+  meshing.spreads_colors = true;
   const auto mesh = mesh_surfaces(views_.surfaces(), meshing, {}, Workers(1, stop));
   if (stop.stop_requested()) return;
   if (!mesh && mesh.error().code != ErrorCode::kNotFound) warn(mesh.error());
@@ -171,7 +192,7 @@ void RoomModeler::Work::fuse(const std::stop_token& stop) {
     changes_.reset();
   }
   is_unsaved_ = true;
-  next_fusing_ = clock_.now() + kRestPerWork * (clock_.now() - began);
+  next_fusing_ = clock_.now() + kRestPerWork * (thread_cpu_time() - spent_before);
 }
 
 void RoomModeler::Work::load() {
