@@ -9,7 +9,6 @@
 #include <utility>
 
 #include <boost/asio/error.hpp>
-#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
@@ -18,10 +17,7 @@
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/http/write.hpp>
 
-#include "roomcast/net/host_lookup.h"
-#include "roomcast/net/socket_tuning.h"
 #include "roomcast/net/stream.h"
-#include "roomcast/net/tls/tls_context.h"
 #include "roomcast/net/websocket_handshake.h"
 
 namespace roomcast::net {
@@ -29,7 +25,6 @@ namespace roomcast::net {
 namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = boost::beast::http;
-using Tcp = asio::ip::tcp;
 using SystemError = boost::system::error_code;
 
 namespace {
@@ -41,9 +36,8 @@ constexpr std::uint64_t kMaxRefusal = 512;
 class Attempt final : public ConnectAttempt, public std::enable_shared_from_this<Attempt> {
  public:
   Attempt(asio::io_context& io, const HubUrl& url, ClientOptions options, ConnectCallback callback)
-      : resolver_(io),
+      : io_(io),
         deadline_(io),
-        socket_(io),
         url_(url),
         where_(host_and_port(url)),
         options_(std::move(options)),
@@ -53,13 +47,7 @@ class Attempt final : public ConnectAttempt, public std::enable_shared_from_this
   void cancel() override;
 
  private:
-  void resolve();
-  void on_resolved(SystemError error, const Tcp::resolver::results_type& endpoints);
-  void connect_to(const Tcp::resolver::results_type& endpoints);
-  void connect_to_next(SystemError last_error);
-  void on_connected(SystemError error);
-  void encrypt();
-  void on_encrypted(SystemError error);
+  void on_open(Result<Stream> stream);
   void ask();
   void read_answer();
   void on_answer(SystemError error);
@@ -76,12 +64,10 @@ class Attempt final : public ConnectAttempt, public std::enable_shared_from_this
     };
   }
 
-  Tcp::resolver resolver_;
+  asio::io_context& io_;
   asio::steady_timer deadline_;
-  Tcp::socket socket_;            // while connecting...
-  std::optional<Stream> stream_;  // ...and afterwards
-  Tcp::resolver::results_type endpoints_;
-  Tcp::resolver::results_type::const_iterator next_endpoint_;
+  std::shared_ptr<ConnectAttempt> opening_;  // while connecting...
+  std::optional<Stream> stream_;             // ...and afterwards
   HubUrl url_;
   std::string where_;
   ClientOptions options_;
@@ -100,75 +86,16 @@ void Attempt::start() {
     self.fail(ErrorCode::kUnavailable,
               self.where_ + " did not answer in time; check the address and the network.");
   }));
-  resolve();
+  opening_ = open_stream(io_, url_, {options_.max_segment_bytes, options_.pace_bytes_per_s},
+                         [self = shared_from_this()](Result<Stream> stream) {
+                           if (self->callback_) self->on_open(std::move(stream));
+                         });
 }
 
-void Attempt::resolve() {
-  look_up(
-      resolver_, url_.host, url_.port,
-      [self = shared_from_this()](SystemError error, const Tcp::resolver::results_type& endpoints) {
-        if (self->callback_) self->on_resolved(error, endpoints);
-      });
-}
-
-void Attempt::on_resolved(SystemError error, const Tcp::resolver::results_type& endpoints) {
-  if (!error) return connect_to(endpoints);
-  fail(ErrorCode::kNotFound, "There is no host '" + url_.host + "'; check the hub's address.");
-}
-
-void Attempt::connect_to(const Tcp::resolver::results_type& endpoints) {
-  endpoints_ = endpoints;
-  next_endpoint_ = endpoints_.begin();
-  connect_to_next(asio::error::host_not_found);
-}
-
-// Not asio::async_connect, which opens the sockets itself: the size of segments must be set between
-// opening and connecting.
-void Attempt::connect_to_next(SystemError last_error) {
-  if (next_endpoint_ == endpoints_.end()) return on_connected(last_error);
-  const Tcp::endpoint endpoint = *next_endpoint_++;
-  SystemError error;
-  socket_.close(error);
-  socket_.open(endpoint.protocol(), error);
-  if (error) return connect_to_next(error);
-  if (options_.max_segment_bytes > 0) limit_segments(socket_, options_.max_segment_bytes);
-  if (options_.pace_bytes_per_s > 0) set_pace(socket_, options_.pace_bytes_per_s);
-  socket_.async_connect(endpoint, then([](Attempt& self, SystemError failure) {
-                          failure ? self.connect_to_next(failure) : self.on_connected({});
-                        }));
-}
-
-void Attempt::on_connected(SystemError error) {
-  if (error == asio::error::connection_refused) {
-    return fail(ErrorCode::kUnavailable,
-                "No program listens at " + where_ + "; is the hub running?");
-  }
-  if (error) {
-    return fail(ErrorCode::kUnavailable, where_ + " cannot be reached: " + error.message() + ".");
-  }
-  if (url_.tls) return encrypt();
-  stream_.emplace(std::move(socket_));
+void Attempt::on_open(Result<Stream> stream) {
+  if (!stream) return finish(stream.error());
+  stream_.emplace(*std::move(stream));
   ask();
-}
-
-void Attempt::encrypt() {
-  const auto context = TlsClientContext::create();
-  if (!context) return fail(context.error().code, context.error().message);
-  auto tls = TlsSession::connect(socket_.native_handle(), **context, {url_.host, url_.pinned});
-  if (!tls) return fail(tls.error().code, tls.error().message);
-  stream_.emplace(std::move(socket_), *std::move(tls));
-  stream_->async_handshake(
-      then([](Attempt& self, SystemError error) { self.on_encrypted(error); }));
-}
-
-void Attempt::on_encrypted(SystemError error) {
-  if (!error) return ask();
-  const std::string fault(stream_->tls_fault());
-  if (fault.empty()) {
-    return fail(ErrorCode::kUnavailable, where_ + " closed the connection without an answer.");
-  }
-  fail(ErrorCode::kUnsupported,
-       where_ + " " + fault + "; ask the hub's operator for its address and fingerprint.");
 }
 
 void Attempt::ask() {
@@ -248,9 +175,7 @@ void Attempt::finish(Result<std::shared_ptr<WebSocketConnection>> result) {
 void Attempt::cancel() {
   callback_ = nullptr;
   deadline_.cancel();
-  resolver_.cancel();
-  SystemError ignored;
-  socket_.close(ignored);
+  if (opening_) opening_->cancel();
   if (stream_) stream_->close();
 }
 

@@ -15,6 +15,7 @@
 
 #include "roomcast/core/result.h"
 #include "roomcast/net/hub_url.h"
+#include "roomcast/net/stream_client.h"
 #include "roomcast/net/websocket_connection.h"
 
 namespace roomcast::net {
@@ -33,14 +34,6 @@ struct ClientOptions {
 /// full), kUnsupported (an answer that is not from a hub of this version, or a certificate that
 /// cannot be trusted).
 using ConnectCallback = std::function<void(Result<std::shared_ptr<WebSocketConnection>>)>;
-
-/// A pending attempt. Destroying it does not cancel the attempt.
-class ConnectAttempt {
- public:
-  virtual ~ConnectAttempt() = default;
-  /// Cancels the attempt; the callback is not called any more. No effect after the callback.
-  virtual void cancel() = 0;
-};
 
 /// The result may be ignored.
 std::shared_ptr<ConnectAttempt> connect(boost::asio::io_context& io, const HubUrl& url,
