@@ -8,23 +8,38 @@
 namespace roomcast::cli {
 namespace {
 
-std::map<std::string, render::RenderMode> modes_by_name() {
-  std::map<std::string, render::RenderMode> modes;
-  for (const render::RenderMode mode : render::kRenderModes) modes.emplace(name_of(mode), mode);
-  return modes;
+template <std::size_t kCount>
+std::map<std::string, render::RenderMode> by_name(
+    const std::array<render::RenderMode, kCount>& modes) {
+  std::map<std::string, render::RenderMode> named;
+  for (const render::RenderMode mode : modes) named.emplace(name_of(mode), mode);
+  return named;
 }
 
 }  // namespace
 
 void add_mode_option(CLI::App& command, const std::string& name, render::RenderMode& mode) {
-  choose_by_name(command.add_option(name, mode, "How surfaces are drawn"), modes_by_name());
+  choose_by_name(command.add_option(name, mode, "How surfaces are drawn"),
+                 by_name(render::kRenderModes));
+}
+
+void add_view_mode_option(CLI::App& command, const std::string& name, render::RenderMode& mode) {
+  choose_by_name(command.add_option(name, mode, "How the room is drawn"),
+                 by_name(render::kViewModes));
 }
 
 void add_modes_option(CLI::App& command, const std::string& name,
                       std::vector<render::RenderMode>& modes) {
   choose_by_name(
       command.add_option(name, modes, "Ways to draw surfaces (default: all)")->delimiter(','),
-      modes_by_name());
+      by_name(render::kRenderModes));
+}
+
+void add_view_modes_option(CLI::App& command, const std::string& name,
+                           std::vector<render::RenderMode>& modes) {
+  choose_by_name(command.add_option(name, modes, "Ways to draw the room (default: all but still)")
+                     ->delimiter(','),
+                 by_name(render::kViewModes));
 }
 
 }  // namespace roomcast::cli

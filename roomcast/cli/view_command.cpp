@@ -68,7 +68,7 @@ void add_view_command(CLI::App& app, Command& chosen) {
       ->add_option("--seconds", options->seconds,
                    "Receive for this time before drawing; with a window: close it then")
       ->check(seconds_from_zero());
-  add_mode_option(*command, "--mode", options->mode);
+  add_view_mode_option(*command, "--mode", options->mode);
   command->add_flag("--json", options->json, "With --png: print the drawn frames as JSON")
       ->needs(png);
   command->add_flag("--vr", options->vr, "Show the room in a headset, too (OpenXR)")->excludes(png);

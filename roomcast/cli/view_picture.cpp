@@ -13,6 +13,7 @@
 #include "roomcast/cli/status_line.h"
 #include "roomcast/cli/stop_on_signal.h"
 #include "roomcast/cli/view_options.h"
+#include "roomcast/client/model/model_follower.h"
 #include "roomcast/io/image_file.h"
 #include "roomcast/render/gl/gl_context.h"
 #include "roomcast/sensor/frame_log.h"
@@ -102,6 +103,20 @@ render::ViewCamera camera_for(const ViewOptions& options, const client::RoomSnap
   return camera;
 }
 
+/// Of the modes that show it. A room need not have a model, but to be seen without its sensors.
+Status take_model(const ViewOptions& options, const client::RoomSnapshot& room,
+                  viewer::RoomView& view) {
+  const bool is_alone = options.mode == render::RenderMode::kStill;
+  if (!is_alone && options.mode != render::RenderMode::kBlend) return {};
+  const auto model = client::fetch_model(
+      {options.subscriber.hub_url, options.subscriber.credential.token}, room.room, 0, {});
+  if (model && *model) return view.take_model(**model);
+  if (!is_alone) return {};
+  if (!model) return model.error();
+  return Error{ErrorCode::kUnavailable,
+               "the hub has no model of this room yet; it makes one while somebody watches"};
+}
+
 Result<ColorImage> draw(const ViewOptions& options, const client::RoomSnapshot& room) {
   const render::ViewCamera camera = camera_for(options, room);
   if (auto status = camera.check(); !status) return status.error();
@@ -112,6 +127,7 @@ Result<ColorImage> draw(const ViewOptions& options, const client::RoomSnapshot& 
   auto view = viewer::RoomView::create();
   if (!view) return view.error();
   if (auto status = view->show(room); !status) return status.error();
+  if (auto status = take_model(options, room, *view); !status) return status.error();
   if (auto status = view->draw(camera, *target, options.mode); !status) return status.error();
   return target->read_color();
 }
@@ -141,11 +157,14 @@ Status view_without_window(const ViewOptions& options) {
   auto viewer = client::Subscriber::open(std::move(subscriber));
   if (!viewer) return viewer.error();
   if (auto may = client::check_may_record((*viewer)->snapshot()->rights); !may) return may;
-  auto room = wait_for_pictures(**viewer, stop.token());
+  // The model is also there without any sensor.
+  const bool is_model_alone = options.mode == render::RenderMode::kStill;
+  auto room = is_model_alone ? Result<RoomPtr>((*viewer)->snapshot())
+                             : wait_for_pictures(**viewer, stop.token());
   if (room && options.seconds > 0) {
     watch(**viewer, options.seconds, stop.token());
     // Meanwhile sensors or the hub may have disconnected.
-    room = wait_for_pictures(**viewer, stop.token());
+    if (!is_model_alone) room = wait_for_pictures(**viewer, stop.token());
   }
   if (!room) return room.error();
   const auto picture = draw(options, **room);

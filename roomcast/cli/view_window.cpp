@@ -31,6 +31,8 @@ viewer::DesktopViewerOptions desktop_options(const ViewOptions& options,
   desktop.pictures = options.pictures;
   desktop.write_png = io::write_color_png;
   desktop.headset = options.vr;
+  desktop.model =
+      client::ModelSource{options.subscriber.hub_url, options.subscriber.credential.token};
   desktop.voice = true;
   desktop.settings.voice.microphone = options.microphone;
   desktop.settings.voice.microphone_on = options.speaks;

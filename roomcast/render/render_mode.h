@@ -13,10 +13,16 @@ enum class RenderMode {
   kMesh,      // triangles between neighbouring depth pixels; the nearest surface wins
   kAdaptive,  // as kMesh, of cleaned surfaces; flat parts become few triangles
   kBlend,     // cleaned surfaces of all sensors, mixed by quality and viewing direction
+  kStill,     // the room's model alone: what stands still, without people
 };
+/// Those that draw what sensors show.
 inline constexpr std::array kRenderModes = {RenderMode::kPoints, RenderMode::kSplats,
                                             RenderMode::kMesh, RenderMode::kAdaptive,
                                             RenderMode::kBlend};
+/// Those that a viewer can choose.
+inline constexpr std::array kViewModes = {RenderMode::kPoints, RenderMode::kSplats,
+                                          RenderMode::kMesh,   RenderMode::kAdaptive,
+                                          RenderMode::kBlend,  RenderMode::kStill};
 
 [[nodiscard]] constexpr std::string_view name_of(RenderMode mode) {
   switch (mode) {
@@ -30,6 +36,8 @@ inline constexpr std::array kRenderModes = {RenderMode::kPoints, RenderMode::kSp
       return "adaptive";
     case RenderMode::kBlend:
       return "blend";
+    case RenderMode::kStill:
+      return "still";
   }
   return "";
 }

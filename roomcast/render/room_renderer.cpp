@@ -10,7 +10,7 @@ namespace roomcast::render {
 
 Result<RoomRenderer> RoomRenderer::create() {
   auto parts = create_parts(&Parts::points, &Parts::mesher, &Parts::meshes, &Parts::floor,
-                            &Parts::updater, &Parts::adaptive, &Parts::blend);
+                            &Parts::updater, &Parts::adaptive, &Parts::blend, &Parts::model);
   if (!parts) return std::move(parts).error();
   return RoomRenderer(*std::move(parts));
 }
@@ -95,6 +95,10 @@ Status RoomRenderer::draw(const Eyes& eyes, const OffscreenTarget& target, Rende
     target.clear(options_.background);
   }
   if (options_.floor_grid) parts_.floor.draw(eyes, options_.floor_line);
+  if (mode == RenderMode::kStill) {
+    parts_.blend.draw({}, parts_.model, eyes, options_.unseen, target);
+    return {};
+  }
   if (!uses_background_model(mode)) {
     draw_sensors(eyes, mode);
     return {};
@@ -102,7 +106,7 @@ Status RoomRenderer::draw(const Eyes& eyes, const OffscreenTarget& target, Rende
   refresh_background_models();
   gather_layers(mode);
   if (mode == RenderMode::kBlend) {
-    parts_.blend.draw(layers_, eyes, options_.unseen, target);
+    parts_.blend.draw(layers_, parts_.model, eyes, options_.unseen, target);
   } else {
     parts_.adaptive.draw(layers_, eyes, target);
   }

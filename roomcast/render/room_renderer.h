@@ -12,6 +12,7 @@
 #include "roomcast/render/blend/background_model.h"
 #include "roomcast/render/blend/blend_renderer.h"
 #include "roomcast/render/blend/color_matching.h"
+#include "roomcast/render/blend/still_model.h"
 #include "roomcast/render/render_mode.h"
 #include "roomcast/render/surface/floor_grid.h"
 #include "roomcast/render/surface/mesh_renderer.h"
@@ -71,6 +72,13 @@ class RoomRenderer {
   /// Does nothing if there is no such sensor.
   void remove(SensorId id);
 
+  /// A piece of the room's model, which the blend mode shows where no sensor shows anything, and
+  /// the still mode alone. Errors as StillModel::set_piece.
+  Status set_model_piece(const ModelPlace& place, const ModelSurface& surface) {
+    return parts_.model.set_piece(place, surface);
+  }
+  void clear_model() { parts_.model.clear(); }
+
   /// Errors as RenderOptions::check; then nothing has changed.
   Status set_options(const RenderOptions& options);
 
@@ -97,6 +105,7 @@ class RoomRenderer {
     BackgroundUpdater updater;
     AdaptiveRenderer adaptive;
     BlendRenderer blend;
+    StillModel model;
   };
 
   explicit RoomRenderer(Parts parts) : parts_(std::move(parts)) {}

@@ -29,6 +29,8 @@ class DesktopDisplay {
 
   /// Sets the room to draw. Errors as RoomView::show.
   Status show_room(const client::RoomSnapshot& room) { return room_view_.show(room); }
+  /// Errors as RoomView::take_model.
+  Status take_model(const model::DecodedModel& news) { return room_view_.take_model(news); }
   /// Uses the settings from the next picture on; `room` is the room shown. Errors as
   /// RoomView::set_options.
   Status apply(const ViewSettings& settings, const client::RoomSnapshot& room);

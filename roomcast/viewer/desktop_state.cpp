@@ -52,7 +52,7 @@ ViewState DesktopState::start_view() const {
 void DesktopState::choose_mode(ViewerCommand command) {
   const auto number =
       static_cast<std::size_t>(command) - static_cast<std::size_t>(ViewerCommand::kModePoints);
-  settings_.mode = render::kRenderModes.at(number);
+  settings_.mode = render::kViewModes.at(number);
 }
 
 void DesktopState::point_at(const std::optional<Eigen::Vector3d>& place_m) {

@@ -45,7 +45,7 @@ class DesktopState {
   [[nodiscard]] Navigation& navigation() { return navigation_; }
   [[nodiscard]] ViewSettings& settings() { return settings_; }
   void go_to_start();
-  /// `command`: one of kModePoints to kModeBlend.
+  /// `command`: one of kModePoints to kModeStill.
   void choose_mode(ViewerCommand command);
   /// The laser pointer ends at this point of the world; empty: it is off, or hits no surface.
   void point_at(const std::optional<Eigen::Vector3d>& place_m);

@@ -31,6 +31,7 @@ DesktopViewer::DesktopViewer(client::Subscriber& hub, DesktopViewerOptions optio
       hub_report_(hub),
       last_step_(now()) {
   if (!options_.panel) panel_.toggle();
+  if (options_.model) model_ = std::make_unique<client::ModelFollower>(*options_.model);
   if (options_.voice) voice_ = std::make_unique<DesktopVoice>(hub, options_.settings.voice);
   notify_error(display_.apply(state_.settings(), state_.room()));
 }
@@ -40,6 +41,7 @@ bool DesktopViewer::step() {
   const HostTime begin = now();
   advance(begin);
   follow_room(begin);
+  follow_model();
   poll_headset(begin);
   follow_voice();
   draw(begin);
@@ -88,6 +90,7 @@ void DesktopViewer::run(ViewerCommand command) {
     case ViewerCommand::kModeMesh:
     case ViewerCommand::kModeAdaptive:
     case ViewerCommand::kModeBlend:
+    case ViewerCommand::kModeStill:
       return state_.choose_mode(command);
     case ViewerCommand::kPanel:
       return panel_.toggle();
@@ -135,6 +138,15 @@ void DesktopViewer::follow_room(HostTime at) {
   if (!state_.follow(hub_.snapshot(), at)) return;
   hub_report_.follow(state_.room());
   notify_error(display_.show_room(state_.room()));
+}
+
+void DesktopViewer::follow_model() {
+  if (!model_) return;
+  if (!state_.room().room.empty()) model_->follow(state_.room().room);
+  for (const model::DecodedModel& news : model_->take()) {
+    notify_error(display_.take_model(news));
+    state_.redraw();
+  }
 }
 
 void DesktopViewer::follow_voice() {

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 
+#include "roomcast/client/model/model_follower.h"
 #include "roomcast/client/subscriber.h"
 #include "roomcast/core/log.h"
 #include "roomcast/io/numbered_files.h"
@@ -26,13 +27,14 @@ namespace roomcast::viewer {
 struct DesktopViewerOptions {
   ViewWindowOptions window;
   ViewSettings settings;
-  std::optional<ViewState> start;        // default: the hub's start position
-  bool panel = true;                     // shown at the start
-  std::filesystem::path pictures = ".";  // folder for screenshots and videos
-  io::PictureWriter write_png;           // required
-  bool headset = false;                  // also draw for a headset if there is one
-  bool voice = false;                    // listen and speak; `hub` has joined with `hears`
-  LogSink log;                           // news of the headset; may be empty
+  std::optional<ViewState> start;                 // default: the hub's start position
+  bool panel = true;                              // shown at the start
+  std::filesystem::path pictures = ".";           // folder for screenshots and videos
+  io::PictureWriter write_png;                    // required
+  bool headset = false;                           // also draw for a headset if there is one
+  bool voice = false;                             // listen and speak; `hub` has joined with `hears`
+  std::optional<client::ModelSource> model = {};  // where to get the room's model; none: nowhere
+  LogSink log;                                    // news of the headset; may be empty
 };
 
 class DesktopViewer {
@@ -66,6 +68,7 @@ class DesktopViewer {
   void follow_room(HostTime now);
   void poll_headset(HostTime now);
   void tell_of_headset(const Toast& news);
+  void follow_model();
   void follow_voice();
   // Display.
   void draw(HostTime now);
@@ -94,7 +97,8 @@ class DesktopViewer {
   DesktopState state_;
   CaptureWriter capture_;
   HubReport hub_report_;
-  std::unique_ptr<DesktopVoice> voice_;  // null: neither listens nor speaks
+  std::unique_ptr<client::ModelFollower> model_;  // null: it is not asked for
+  std::unique_ptr<DesktopVoice> voice_;           // null: neither listens nor speaks
   HostTime last_step_{}, last_present_{};
   bool wants_to_quit_ = false;
 };

@@ -38,6 +38,7 @@ void BlendRenderer::make_room(const Eyes& eyes) {
   height_ = height;
   eyes_ = eyes.count();
   color_sum_ = make_texture(GL_RGBA16F, eyes_ * width, height);
+  shown_depth_ = make_texture(GL_DEPTH_COMPONENT32F, eyes_ * width, height);
   sum_target_ = GlFramebuffer::create();
   attach(sum_target_, GL_COLOR_ATTACHMENT0, color_sum_);
   picture_target_ = GlFramebuffer::create();
@@ -50,12 +51,13 @@ void BlendRenderer::make_room(const Eyes& eyes) {
   }
 }
 
-void BlendRenderer::draw(std::span<const SurfaceLayer> layers, const Eyes& eyes, Unseen unseen,
-                         const OffscreenTarget& target) {
+void BlendRenderer::draw(std::span<const SurfaceLayer> layers, const StillModel& model,
+                         const Eyes& eyes, Unseen unseen, const OffscreenTarget& target) {
   make_room(eyes);
   glEnable(GL_DEPTH_TEST);
   draw_nearest(layers, eyes, target);
   mix(layers, eyes, target.depth());
+  if (!model.is_empty()) fill(model, eyes, target.depth());
   find_surroundings(eyes, unseen, target.depth());
   resolve(target);
 }
@@ -86,6 +88,15 @@ void BlendRenderer::mix(std::span<const SurfaceLayer> layers, const Eyes& eyes,
     programs_.mix.set(shaders::mix_vert::weight, is_background ? kBackgroundWeight : 1);
     painter_.draw(programs_.mix, layer, eyes);
   }
+}
+
+/// Into the sums, which the layers have left at 0 there, and into the depth.
+void BlendRenderer::fill(const StillModel& model, const Eyes& eyes,
+                         const GlTexture& nearest_depth) {
+  glCopyImageSubData(nearest_depth.name(), GL_TEXTURE_2D, 0, 0, 0, 0, shown_depth_.name(),
+                     GL_TEXTURE_2D, 0, 0, 0, 0, eyes_ * width_, height_, 1);
+  glDepthFunc(GL_LESS);
+  model.draw(eyes, shown_depth_);
 }
 
 void BlendRenderer::find_surroundings(const Eyes& eyes, Unseen unseen,

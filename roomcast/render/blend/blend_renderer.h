@@ -3,12 +3,14 @@
 // of the nearest are mixed. Their weights are the quality of each pixel and the agreement between
 // the sensor's and the eye's viewing directions (Buehler et al. 2001). Holes between surfaces, and
 // surfaces whose colour no sensor saw, take the surrounding colour, in which far surfaces count
-// more than near ones (push-pull, Gortler et al. 1996). Needs the GL context it was made with.
+// more than near ones (push-pull, Gortler et al. 1996). Where no sensor shows anything, the room's
+// model does, if there is one. Needs the GL context it was made with.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "roomcast/render/blend/still_model.h"
 #include "roomcast/render/blend/surface_layer.h"
 #include "roomcast/render/view/eyes.h"
 #include "roomcast/render/view/offscreen_target.h"
@@ -29,8 +31,8 @@ class BlendRenderer {
 
   /// Draws over the colours of `target`, which must contain no depth yet. Its size must be the
   /// eyes'.
-  void draw(std::span<const SurfaceLayer> layers, const Eyes& eyes, Unseen unseen,
-            const OffscreenTarget& target);
+  void draw(std::span<const SurfaceLayer> layers, const StillModel& model, const Eyes& eyes,
+            Unseen unseen, const OffscreenTarget& target);
 
  private:
   struct Programs {
@@ -48,6 +50,7 @@ class BlendRenderer {
   void draw_nearest(std::span<const SurfaceLayer> layers, const Eyes& eyes,
                     const OffscreenTarget& target);
   void mix(std::span<const SurfaceLayer> layers, const Eyes& eyes, const GlTexture& nearest_depth);
+  void fill(const StillModel& model, const Eyes& eyes, const GlTexture& nearest_depth);
   void find_surroundings(const Eyes& eyes, Unseen unseen, const GlTexture& nearest_depth);
   void begin_surroundings(const Eyes& eyes, const GlTexture& nearest_depth);
   void finish_surroundings(Unseen unseen);
@@ -58,6 +61,7 @@ class BlendRenderer {
   GlVertexArray no_vertices_;              // for full-screen passes
   int width_ = 0, height_ = 0, eyes_ = 0;  // size and count for the textures below
   GlTexture color_sum_;
+  GlTexture shown_depth_;  // what sensors show, while the model is drawn
   GlFramebuffer sum_target_, picture_target_;
   struct Level {  // one layer for each eye, so that eyes share no colours
     GlLayers color, coverage;

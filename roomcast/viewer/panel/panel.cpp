@@ -188,7 +188,7 @@ void draw_people(const PanelFacts& facts) {
 
 void draw_mode(ViewSettings& settings) {
   if (ImGui::BeginCombo("way of drawing", name_of(settings.mode).data())) {
-    for (const render::RenderMode mode : render::kRenderModes) {
+    for (const render::RenderMode mode : render::kViewModes) {
       if (ImGui::Selectable(name_of(mode).data(), settings.mode == mode)) settings.mode = mode;
     }
     ImGui::EndCombo();

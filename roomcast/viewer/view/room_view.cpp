@@ -66,6 +66,17 @@ Status RoomView::clear_surface(const client::RoomSensor& sensor, Uploaded& uploa
   return {};
 }
 
+Status RoomView::take_model(const model::DecodedModel& news) {
+  if (news.is_whole) renderer_.clear_model();
+  Status first_fault;
+  for (const auto& [place, mesh] : news.pieces) {
+    auto status = renderer_.set_model_piece({place.x, place.y, place.z},
+                                            {mesh.points_m, mesh.colors, mesh.triangles});
+    if (!status && first_fault) first_fault = std::move(status);
+  }
+  return first_fault;
+}
+
 Status RoomView::draw(const render::Eyes& eyes, const render::OffscreenTarget& target,
                       render::RenderMode mode) {
   if (auto status = renderer_.draw(eyes, target, mode); !status) return status;

@@ -9,6 +9,7 @@
 
 #include "roomcast/client/room/room_snapshot.h"
 #include "roomcast/core/result.h"
+#include "roomcast/model/pieces/decoded_model.h"
 #include "roomcast/render/room_renderer.h"
 #include "roomcast/render/view/eyes.h"
 #include "roomcast/render/view/offscreen_target.h"
@@ -24,6 +25,10 @@ class RoomView {
   /// Sets the room to draw. Errors as RoomRenderer::set_sensor and upload; after an error the other
   /// sensors are drawn all the same.
   Status show(const client::RoomSnapshot& room);
+
+  /// What is new of the room's model, or all of it. Errors as RoomRenderer::set_model_piece; the
+  /// other pieces are taken all the same.
+  Status take_model(const model::DecodedModel& news);
 
   /// Sets the sensors not to draw; takes effect at the next show().
   void hide(std::set<SensorId> sensors) { hidden_ = std::move(sensors); }

@@ -38,18 +38,33 @@ class RoomViewTest : public testing::Test {
     view.emplace(std::move(*created));
   }
 
-  Rgb8 middle_of_picture() {
+  Rgb8 middle_of_picture(render::RenderMode mode = render::RenderMode::kSplats) {
     auto target = render::OffscreenTarget::create(kSide, kSide);
     render::ViewCamera camera;
     camera.width = camera.height = kSide;
     camera.world_from_view = render::world_from_view_looking_at({0, 1, 0}, {0, 1, -1});
-    EXPECT_TRUE(view->draw(camera, *target, render::RenderMode::kSplats).ok());
+    EXPECT_TRUE(view->draw(camera, *target, mode).ok());
     return target->read_color().at(kSide / 2, kSide / 2);
   }
 
   Result<render::EglContext> context = render::EglContext::create();
   std::optional<RoomView> view;
 };
+
+TEST_F(RoomViewTest, a_model_is_seen_until_another_one_comes_whole) {
+  constexpr Rgb8 kGreen = {40, 180, 90};
+  model::RoomMesh wall;
+  wall.points_m = {{-4, -4, -3}, {4, -4, -3}, {0, 8, -3}};
+  wall.colors.assign(3, kGreen);
+  wall.triangles = {{0, 1, 2}};
+  ASSERT_TRUE(
+      view->take_model({.is_whole = true, .version = 1, .pieces = {{{0, 0, 0}, wall}}}).ok());
+  EXPECT_EQ(middle_of_picture(render::RenderMode::kStill), kGreen);
+  ASSERT_TRUE(view->take_model({.is_whole = false, .version = 2, .pieces = {}}).ok());
+  EXPECT_EQ(middle_of_picture(render::RenderMode::kStill), kGreen);
+  ASSERT_TRUE(view->take_model({.is_whole = true, .version = 3, .pieces = {}}).ok());
+  EXPECT_NE(middle_of_picture(render::RenderMode::kStill), kGreen);
+}
 
 TEST_F(RoomViewTest, a_paused_sensor_shows_nothing_until_its_next_picture) {
   client::RoomSnapshot room = room_with(wall({200, 10, 10}));

@@ -48,6 +48,8 @@ std::optional<ViewerCommand> command_of(const SDL_Keysym& key) {
       return ViewerCommand::kModeAdaptive;
     case SDL_SCANCODE_5:
       return ViewerCommand::kModeBlend;
+    case SDL_SCANCODE_6:
+      return ViewerCommand::kModeStill;
     default:
       break;
   }

@@ -110,6 +110,7 @@ TEST_F(DesktopInputTest, the_space_bar_talks_while_it_is_held) {
 TEST_F(DesktopInputTest, keys_give_the_commands_in_the_help) {
   EXPECT_EQ(take(key_event(SDL_SCANCODE_R, SDLK_r, true)), ViewerCommand::kStart);
   EXPECT_EQ(take(key_event(SDL_SCANCODE_5, SDLK_5, true)), ViewerCommand::kModeBlend);
+  EXPECT_EQ(take(key_event(SDL_SCANCODE_6, SDLK_6, true)), ViewerCommand::kModeStill);
   EXPECT_EQ(take(key_event(SDL_SCANCODE_P, SDLK_p, true)), ViewerCommand::kScreenshot);
   EXPECT_EQ(take(key_event(SDL_SCANCODE_ESCAPE, SDLK_ESCAPE, true)), ViewerCommand::kRelease);
   EXPECT_EQ(take(key_event(SDL_SCANCODE_Q, SDLK_q, true, KMOD_LCTRL)), ViewerCommand::kQuit);
