@@ -45,6 +45,16 @@ test('the still room is there without its sensors, and after a restart of the hu
   await page.evaluate(() => window.roomcast.setMode('still'));
   const shown = await page.evaluate(colors);
   assert.ok(shown > 8, `${shown} colours: a picture of a room`);
+  await page.evaluate((count) => {
+    for (let id = 0; id < count; ++id) window.roomcast.setVisible(id, false);
+    window.roomcast.setMode('blend');
+  }, sensors);
+  const filled = await page.evaluate(colors);
+  const { quality } = await stateOf(page);
+  t.diagnostic(quality.mixes ? 'blends' : 'is too slow to blend');
+  assert.ok(filled > 8, `${filled} colours: the model fills what no sensor shows, also where blending is too slow`);
+  await page.evaluate(() => window.roomcast.setMode('mesh'));
+  assert.ok((await page.evaluate(colors)) <= 8, 'a mode that shows sensors only');
   assert.deepEqual(page.complaints, []);
 
   await hub.end();

@@ -22,8 +22,8 @@ export class LazyModel {
 
   /** Frames have been drawn. */
   drawn(): void {
-    const { options, stage } = this.page();
-    if (this.isAsked || options.playback || !stage.room.model) return;
+    const { options } = this.page();
+    if (this.isAsked || options.playback) return;
     this.isAsked = true;
     setTimeout(() => void this.begin().catch(() => undefined), afterFirstPicture_ms); // the picture is whole without it
   }

@@ -58,7 +58,7 @@ export class TestApi {
       clockError_ms: status?.clock?.error_ms ?? null,
       draw_ms: stage.draw_ms,
       mode: stage.room.drawMode,
-      modelTriangles: stage.room.model?.triangles ?? 0,
+      modelTriangles: stage.room.model.triangles,
       quality: stage.quality,
       /** On the graphics processor; a steady increase would be a leak. */
       kept: { ...stage.renderer.info.memory },

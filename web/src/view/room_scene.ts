@@ -7,7 +7,7 @@ import type { ViewFrame } from '../stream/protocol';
 import { Avatars } from './avatars';
 import { bestSensors } from './best_sensors';
 import { BackgroundUpdater } from './blend/background_updater';
-import type { ModelLayer } from './blend/model_layer';
+import { ModelLayer } from './blend/model_layer';
 import { canBlend, RoomBlend } from './blend/room_blend';
 import type { Drawing, DrawMode } from './draw_mode';
 import { lateSensors } from './late_sensors';
@@ -23,6 +23,7 @@ export class RoomScene {
   readonly scene = new THREE.Scene();
   readonly avatars = new Avatars();
   readonly placed = new Map<number, PlacedSensor>();
+  readonly model = new ModelLayer(); // what stands still, as the hub knows it
   private readonly hidden = new Set<string>(); // names of sensors that the user has switched off
   readonly mixes: boolean; // whether this browser can blend surfaces
   private readonly keeper: BackgroundUpdater | undefined;
@@ -30,6 +31,7 @@ export class RoomScene {
   private background = darkBackground;
   private grid = floorGrid(darkBackground);
   private mode: DrawMode = 'mesh';
+  private wishesBlend = false; // also where this browser cannot
   private mayMix = true; // the machine is fast enough for blending
   private connected = true;
   private passthrough = false;
@@ -37,7 +39,7 @@ export class RoomScene {
   constructor(private readonly renderer: THREE.WebGLRenderer) {
     this.mixes = canBlend(renderer);
     this.keeper = this.mixes ? new BackgroundUpdater(renderer) : undefined;
-    this.blend = this.mixes ? new RoomBlend(renderer) : undefined;
+    this.blend = this.mixes ? new RoomBlend(renderer, this.model) : undefined;
     this.scene.background = darkBackground;
     this.scene.add(this.grid, this.avatars.root);
     if (this.blend) this.scene.add(this.blend.picture);
@@ -49,6 +51,7 @@ export class RoomScene {
 
   /** `blend` and `still` become `mesh` where this browser cannot blend. */
   setMode(mode: DrawMode): void {
+    this.wishesBlend = mode === 'blend';
     this.mode = (mode === 'blend' || mode === 'still') && !this.mixes ? 'mesh' : mode;
     this.applyModeToAll();
   }
@@ -64,9 +67,9 @@ export class RoomScene {
     return this.isMixing ? 'mixed' : 'apart';
   }
 
-  /** The model of what stands still; undefined where this browser cannot blend. */
-  get model(): ModelLayer | undefined {
-    return this.blend?.model;
+  /** Whether the model fills what separate surfaces leave empty: where the blend was chosen, and is not possible. */
+  private get fillsBehind(): boolean {
+    return this.wishesBlend && !this.isMixing && !this.model.isEmpty;
   }
 
   /** How the room is drawn now: the sensors that are, and those that would be if the machine were faster. */
@@ -194,13 +197,23 @@ export class RoomScene {
   /** Draws into the renderer's target, `width` x `height` device pixels. */
   render(camera: THREE.PerspectiveCamera, width: number, height: number): void {
     const seen = [...this.placed.values()].some(({ pictures, isApart }) => pictures.hasPicture && !isApart);
-    const filled = this.isMixing && ((seen && this.mode !== 'still') || !this.model!.isEmpty);
+    const mixesSomething = this.isMixing && ((seen && this.mode !== 'still') || !this.model.isEmpty);
+    const filled = mixesSomething || this.fillsBehind;
     this.grid.visible = !this.passthrough && !filled;
     if (this.isMixing) {
       this.refreshMemories();
       this.blend!.mix(camera, width, height);
     }
     this.renderer.render(this.scene, camera);
+    if (this.fillsBehind) this.renderBehind(this.model.scene, camera);
+  }
+
+  /** Adds to the picture what is behind all that it shows. */
+  private renderBehind(scene: THREE.Scene, camera: THREE.PerspectiveCamera): void {
+    const { autoClear } = this.renderer;
+    this.renderer.autoClear = false;
+    this.renderer.render(scene, camera);
+    this.renderer.autoClear = autoClear;
   }
 
   private refreshMemories(): void {

@@ -123,7 +123,7 @@ export class Stage {
 
   /** The hub's model of what stands still, or what has changed of it. */
   showModel(model: DecodedModel): void {
-    this.room.model?.take(model);
+    this.room.model.take(model);
     this.touch();
   }
 

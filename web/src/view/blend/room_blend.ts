@@ -5,7 +5,7 @@
 import * as THREE from 'three';
 import type { BlendLayer } from './blend_layer';
 import { resolveFragmentShader } from './blend_shader';
-import { ModelLayer } from './model_layer';
+import type { ModelLayer } from './model_layer';
 import { wholePicture, wholePictureVertexShader } from './full_screen_pass';
 import { Surroundings } from './surroundings';
 
@@ -18,7 +18,6 @@ export class RoomBlend {
   readonly picture: THREE.Mesh;
   private readonly nearest = new THREE.Scene();
   private readonly mixed = new THREE.Scene();
-  readonly model = new ModelLayer();
   private readonly surroundings = new Surroundings();
   private readonly sums: THREE.WebGLRenderTarget;
   private readonly uniforms = {
@@ -29,7 +28,10 @@ export class RoomBlend {
     uMetresFromDepth: { value: new THREE.Vector2() },
   };
 
-  constructor(private readonly renderer: THREE.WebGLRenderer) {
+  constructor(
+    private readonly renderer: THREE.WebGLRenderer,
+    private readonly model: ModelLayer,
+  ) {
     this.sums = new THREE.WebGLRenderTarget(1, 1, {
       type: THREE.HalfFloatType,
       minFilter: THREE.NearestFilter,
