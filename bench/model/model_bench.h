@@ -21,6 +21,9 @@ namespace roomcast::bench {
 struct ModelBenchOptions {
   std::vector<std::filesystem::path> rigs;
   model::ModelOptions model;
+  /// Instead of the rig's own fused mesh: the model of a running room that played this rig, as the
+  /// hub has given it (docs/spec/model.md). For one rig.
+  std::optional<std::filesystem::path> kept = {};
   bool compressed = false;                             // look at the mesh as room.draco.glb has it
   std::optional<std::filesystem::path> pictures = {};  // a folder for the pictures of add_score
 };
@@ -37,7 +40,8 @@ struct ModelRow {
   double fuse_cpu_s = 0;    // volume, mesh and colours, all threads
 };
 
-/// kNotFound: a rig has no truth. Errors of the files and of fuse_views.
+/// kNotFound: a rig has no truth. kInvalidArgument: `kept` with several rigs. Errors of the files
+/// and of fuse_views.
 [[nodiscard]] Result<std::vector<ModelRow>> run_model_bench(
     const ModelBenchOptions& options, const std::function<void(const std::string&)>& progress);
 

@@ -8,7 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "roomcast/core/temporary_folder.h"
+#include "roomcast/io/file_bytes.h"
 #include "roomcast/io/image_file.h"
+#include "roomcast/model/pieces/draco_mesh.h"
+#include "roomcast/model/pieces/model_message.h"
 #include "roomcast/recording/dataset/rig_writer.h"
 
 namespace roomcast::bench {
@@ -87,6 +90,33 @@ TEST_F(ModelBenchTest, looks_at_the_compressed_mesh) {
   EXPECT_LT(row.file_bytes, 4 * row.triangles);
   EXPECT_GT(row.file_bytes, 1000u);
   EXPECT_NEAR(row.sensors.median_mm, 1, 0.9) << "points lie on a grid of 1.5 mm";
+}
+
+TEST_F(ModelBenchTest, looks_at_a_model_that_a_hub_has_given) {
+  write_rig();
+  write_truth();
+  model::RoomMesh part;
+  part.points_m = {{-0.5F, -0.5F, 2}, {0.5F, -0.5F, 2}, {0.5F, 0.5F, 2}, {-0.5F, 0.5F, 2}};
+  part.colors.assign(4, {90, 90, 90});
+  part.triangles = {{0, 2, 1}, {0, 3, 2}};
+  const auto coded = model::encode_draco(part).value();
+  ModelBenchOptions options;
+  options.rigs = {rig};
+  options.kept = folder / "model.rcm";
+  ASSERT_TRUE(io::write_file(
+      *options.kept, model::write_model_message(
+                         {.is_whole = true,
+                          .version = 1,
+                          .pieces = {{{-1, 0, 1}, coded.bytes}, {{0, 0, 1}, coded.bytes}}})));
+  const auto rows = run_model_bench(options, [](const std::string&) {});
+  ASSERT_TRUE(rows) << rows.error().message;
+  const ModelRow& row = rows->at(0);
+  EXPECT_EQ(row.triangles, 4u);
+  EXPECT_NEAR(row.sensors.median_mm, 1, 0.9);
+  EXPECT_GT(row.sensors.coverage, 0.15);
+  EXPECT_LT(row.sensors.coverage, 0.25) << "a square metre of a wall of 2.6 x 1.9 m";
+  options.rigs = {rig, rig};
+  EXPECT_FALSE(run_model_bench(options, [](const std::string&) {}));
 }
 
 TEST_F(ModelBenchTest, needs_the_truth) {

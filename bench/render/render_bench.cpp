@@ -13,7 +13,9 @@
 
 #include "bench/render/aligned_poses.h"
 #include "bench/render/rig_frames.h"
+#include "bench/render/rig_model.h"
 #include "roomcast/io/image_file.h"
+#include "roomcast/recording/modeler/model_pieces.h"
 #include "roomcast/render/gl/gl_context.h"
 #include "roomcast/render/render_mode.h"
 
@@ -56,6 +58,7 @@ class RenderBench {
         progress_(progress) {}
 
   Status judge_views();
+  Status fuse_model();
   Result<RenderRow> measure(render::RenderMode mode);
   [[nodiscard]] std::size_t view_count() const { return judged_.size(); }
 
@@ -89,6 +92,7 @@ class RenderBench {
   std::vector<RigidTransform> poses_;  // for drawing, before pose errors are added
   const std::function<void(const std::string&)>& progress_;
   std::vector<JudgedView> judged_;
+  std::map<model::GridPlace, model::RoomMesh> model_;  // its pieces; none: it is not shown
   RegisteredFrame frame_;
   int uploads_ = 0;
 };
@@ -144,6 +148,12 @@ Result<render::RoomRenderer> RenderBench::room_of(render::RenderMode mode) {
     auto status = room->set_sensor(id, sensor.recording.camera.calibration.depth, pose);
     if (!status) return status.error();
   }
+  for (const auto& [place, piece] : model_) {
+    if (auto status = room->set_model_piece({place.x, place.y, place.z},
+                                            {piece.points_m, piece.colors, piece.triangles});
+        !status)
+      return status.error();
+  }
   if (auto status = warm_up(*room, mode); !status) return status.error();
   if (options_.late_ms > 0 && !options_.keep_late) {
     room->set_late(SensorId{static_cast<std::uint16_t>(late_sensor())}, true);
@@ -154,6 +164,17 @@ Result<render::RoomRenderer> RenderBench::room_of(render::RenderMode mode) {
 bool RenderBench::is_compared(std::size_t sensor, std::uint64_t number) const {
   return std::ranges::any_of(
       views_.entries, [&](const TruthViewEntry& entry) { return entry.frames[sensor] == number; });
+}
+
+/// Of all frames except the compared ones.
+Status RenderBench::fuse_model() {
+  report_progress("the model");
+  auto mesh = fuse_rig(frames_, poses_, [this](std::size_t sensor, std::uint64_t number) {
+    return is_compared(sensor, number);
+  });
+  if (!mesh) return mesh.error();
+  model_ = recording::cut_mesh(*mesh, recording::kPieceEdge_m);
+  return {};
 }
 
 /// Draws all frames of the recording except the compared ones, in time order, for modes that use
@@ -351,6 +372,9 @@ Result<RenderReport> run_render_bench(const RenderBenchOptions& options,
   report.height = views->entries.front().camera.height;
   RenderBench bench(options, *std::move(views), *std::move(frames), *std::move(poses), progress);
   if (auto status = bench.judge_views(); !status) return status.error();
+  if (options.model) {
+    if (auto status = bench.fuse_model(); !status) return status.error();
+  }
   report.views = static_cast<int>(bench.view_count());
   std::vector<render::RenderMode> modes = options.modes;
   if (modes.empty()) modes.assign(render::kRenderModes.begin(), render::kRenderModes.end());

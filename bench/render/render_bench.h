@@ -31,7 +31,9 @@ struct RenderBenchOptions {
   double late_ms = 0;           // > 0: of the rig's last sensor pictures this old are shown,
   bool keep_late = false;       // whole, instead of as RoomRenderer::set_late does
   bool complete_planes = true;  // as a sensor does; false: as recorded
-  bool stereo = false;          // also measures the cost of two eyes
+  /// Where no sensor shows anything, the blend shows the model of what stands still.
+  bool model = false;
+  bool stereo = false;                                 // also measures the cost of two eyes
   std::optional<std::filesystem::path> pictures = {};  // a folder for the drawn pictures
 };
 

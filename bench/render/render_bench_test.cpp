@@ -43,6 +43,16 @@ TEST_F(RenderBenchTest, wrong_poses_make_pictures_worse) {
   EXPECT_LT(wrong->rows[0].score.psnr_visible, right->rows[0].score.psnr_visible - 3);
 }
 
+TEST_F(RenderBenchTest, the_model_shows_the_room_without_its_sensors) {
+  ASSERT_NO_FATAL_FAILURE(write_rig());
+  const RenderBenchOptions options{
+      .rig = folder / "rig", .modes = {render::RenderMode::kStill}, .model = true};
+  const auto report = run_render_bench(options, {});
+  ASSERT_TRUE(report.ok()) << report.error().message;
+  EXPECT_GT(report->rows.at(0).score.psnr_visible, 12);
+  EXPECT_LT(report->rows.at(0).score.holes, 0.1);
+}
+
 TEST_F(RenderBenchTest, judges_every_mode) {
   ASSERT_NO_FATAL_FAILURE(write_rig());
   RenderBenchOptions options{.rig = folder / "rig"};

@@ -162,6 +162,7 @@ void add_bench_command(CLI::App& app, Command& chosen) {
   add_latency_bench(*bench, chosen);
   add_line_bench(*bench, chosen);
   add_model_bench(*bench, chosen);
+  add_moved_furniture_bench(*bench, chosen);
   add_real_bench(*bench, chosen);
   add_redundancy_bench(*bench, chosen);
   add_render_bench(*bench, chosen);

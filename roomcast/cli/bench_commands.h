@@ -13,6 +13,7 @@ void add_frame_times_bench(CLI::App& bench, Command& chosen);
 void add_latency_bench(CLI::App& bench, Command& chosen);
 void add_line_bench(CLI::App& bench, Command& chosen);
 void add_model_bench(CLI::App& bench, Command& chosen);
+void add_moved_furniture_bench(CLI::App& bench, Command& chosen);
 void add_real_bench(CLI::App& bench, Command& chosen);
 void add_redundancy_bench(CLI::App& bench, Command& chosen);
 void add_render_bench(CLI::App& bench, Command& chosen);

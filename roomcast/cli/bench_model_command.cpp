@@ -33,6 +33,9 @@ void add_model_bench(CLI::App& bench, Command& chosen) {
   command->add_option("--voxel", options->model.voxel_m, "Size of the model's cells (metres)")
       ->check(within(model::kMinVoxel_m, model::kMaxVoxel_m))
       ->capture_default_str();
+  command->add_option("--kept", options->kept,
+                      "Look at this model of a running room that played the rig: the answer of "
+                      "GET /api/v1/rooms/ROOM/model");
   command->add_flag("--compressed", options->compressed,
                     "Look at the mesh as a room.draco.glb has it");
   command->add_option("--pictures", options->pictures,

@@ -31,7 +31,7 @@ void add_render_bench(CLI::App& bench, Command& chosen) {
       "render", "Errors of free-viewpoint pictures against the truth, and the cost of drawing");
   command->add_option("rig", options->rig, "A rig with true views (simulate --views writes them)")
       ->required();
-  add_modes_option(*command, "--mode", options->modes);
+  add_view_modes_option(*command, "--mode", options->modes);
   command
       ->add_option("--color-scale", options->color_scale,
                    "Colour pixels per depth pixel in each direction, as in roomcast sensor")
@@ -54,6 +54,8 @@ void add_render_bench(CLI::App& bench, Command& chosen) {
                     "Draw these old pictures whole, also where others see through them");
   command->add_flag("--keep-holes{false}", options->complete_planes,
                     "Do not fill the holes of large planes, as roomcast sensor --keep-holes");
+  command->add_flag("--model", options->model,
+                    "Show the model of what stands still where no sensor shows anything");
   command->add_option("--pictures", options->pictures, "Write the pictures into this folder");
   command->add_flag("--stereo", options->stereo,
                     "Also compare drawing both eyes in one pass with one after the other");
