@@ -15,8 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const ModelMessage::Piece& piece : message->pieces) total += piece.draco.size();
   if (total > size) __builtin_trap();
   const std::string again = write_model_message(*message);
-  const auto back = read_model_message(
-      {reinterpret_cast<const std::uint8_t*>(again.data()), again.size()});
+  const auto back =
+      read_model_message({reinterpret_cast<const std::uint8_t*>(again.data()), again.size()});
   if (!back || back->version != message->version || back->is_whole != message->is_whole ||
       back->pieces.size() != message->pieces.size())
     __builtin_trap();

@@ -28,7 +28,7 @@ namespace {
 using namespace std::chrono_literals;
 using Seconds = std::chrono::duration<double>;
 
-constexpr std::size_t kModelled = 200;    // points by which the cabinet is in the model
+constexpr std::size_t kModelled = 200;      // points by which the cabinet is in the model
 constexpr std::size_t kForgottenPart = 20;  // less than this part of them is left
 /// Points this far within its faces, and this high, are of nothing else.
 constexpr float kInside_m = 0.08F, kAboveFloor_m = 0.2F;
@@ -42,8 +42,8 @@ class KeptModel {
   Status take(const recording::RoomModeler& modeler) {
     const auto bytes = modeler.changes_after(version_);
     if (!bytes) return {};
-    auto model = model::decode_model(
-        {reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()});
+    auto model =
+        model::decode_model({reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()});
     if (!model) return model.error();
     if (model->is_whole) pieces_.clear();
     version_ = model->version;
@@ -124,7 +124,8 @@ std::int64_t stretch_now(double stretch_s) {
 
 std::uint64_t frames_received(const client::Subscriber& room) {
   std::uint64_t frames = 0;
-  for (const client::RoomSensor& sensor : room.snapshot()->sensors) frames += sensor.frames_received;
+  for (const client::RoomSensor& sensor : room.snapshot()->sensors)
+    frames += sensor.frames_received;
   return frames;
 }
 
@@ -134,12 +135,21 @@ Result<MovedFurnitureReport> run_moved_furniture(
     const MovedFurnitureOptions& options, const std::function<void(const std::string&)>& progress) {
   auto rig = start_rig(options, progress);
   if (!rig) return rig.error();
+  // So that the cabinet stays for a whole stretch once the model begins.
+  for (const std::int64_t now = stretch_now(options.stretch_s);
+       stretch_now(options.stretch_s) == now;) {
+    progress("waiting for a move");
+    std::this_thread::sleep_for(kLook);
+  }
   const std::string url = rig->hub->url(), token = rig->hub->server().own_token();
   const recording::RoomModeler modeler({.hub_url = url, .room = "room", .token = token});
   // Gets key frames only, so that these are counted.
-  auto counter = client::Subscriber::open(
-      {.hub_url = url, .room = {}, .credential = {.token = token, .code = {}}, .name = {},
-       .is_modeler = true, .log = {}});
+  auto counter = client::Subscriber::open({.hub_url = url,
+                                           .room = {},
+                                           .credential = {.token = token, .code = {}},
+                                           .name = {},
+                                           .is_modeler = true,
+                                           .log = {}});
   if (!counter) return counter.error();
   auto viewer = client::Subscriber::open({.hub_url = url, .room = {}, .name = {}, .log = {}});
   if (!viewer) return viewer.error();
@@ -166,8 +176,7 @@ Result<MovedFurnitureReport> run_moved_furniture(
     progress(fmt::format("{:.0f} s, {} moves, {} triangles", passed_s(), moves, kept.triangles()));
     const double scene_s = Seconds(SteadyClock().now().time_since_epoch()).count();
     if (is_measuring) {
-      const bool is_forgotten =
-          kept.points_in(rig->places_m[place]) < move.points / kForgottenPart;
+      const bool is_forgotten = kept.points_in(rig->places_m[place]) < move.points / kForgottenPart;
       if (is_forgotten) move.forgotten_s = scene_s - moved_s;
       if (is_forgotten || stretch_now(options.stretch_s) != stretch) {
         report.moves.push_back(move);
@@ -186,13 +195,14 @@ Result<MovedFurnitureReport> run_moved_furniture(
   }
   report.triangles = kept.triangles();
   if (const auto whole = modeler.changes_after(0)) report.bytes = whole->size();
-  report.key_frames_per_minute = 60 * static_cast<double>(frames_received(**counter)) /
-                                 (options.sensors * passed_s());
+  report.key_frames_per_minute =
+      60 * static_cast<double>(frames_received(**counter)) / (options.sensors * passed_s());
   return report;
 }
 
 void print_table(const MovedFurnitureReport& report, std::ostream& out) {
-  fmt::print(out, "first model after {:.1f} s; {} triangles, {:.2f} MB; {:.1f} key frames a minute\n",
+  fmt::print(out,
+             "first model after {:.1f} s; {} triangles, {:.2f} MB; {:.1f} key frames a minute\n",
              report.modelled_s, report.triangles, 1e-6 * static_cast<double>(report.bytes),
              report.key_frames_per_minute);
   for (const MovedFurnitureMove& move : report.moves) {

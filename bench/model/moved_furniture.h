@@ -27,8 +27,8 @@ struct MovedFurnitureOptions {
 };
 
 struct MovedFurnitureMove {
-  std::size_t points = 0;    // of the model within the cabinet, before the move
-  double forgotten_s = 0;    // until less than a twentieth of them were left; 0: never
+  std::size_t points = 0;  // of the model within the cabinet, before the move
+  double forgotten_s = 0;  // until less than a twentieth of them were left; 0: never
 };
 
 struct MovedFurnitureReport {

@@ -30,7 +30,7 @@ Result<model::RoomMesh> fuse_rig(
     const std::function<bool(std::size_t sensor, std::uint64_t number)>& is_left_out) {
   recording::MeshWriterOptions meshing;
   meshing.model.voxel_m = recording::running_room_options().voxel_m;
-  meshing.spreads_colors = true;
+  meshing.colored_only = true;
   std::vector<model::ViewSurface> surfaces;
   RegisteredFrame frame;
   for (std::size_t s = 0; s < frames.sensors().size(); ++s) {

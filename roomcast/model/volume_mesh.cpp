@@ -147,4 +147,12 @@ void color_mesh(std::span<const ViewSurface> views, std::span<const Eigen::Vecto
   });
 }
 
+void remove_uncolored(RoomMesh& mesh) {
+  std::erase_if(mesh.triangles, [&](const auto& triangle) {
+    return std::ranges::any_of(triangle,
+                               [&](std::uint32_t point) { return mesh.colors[point] == kNoColor; });
+  });
+  remove_small_parts(1, mesh);
+}
+
 }  // namespace roomcast::model

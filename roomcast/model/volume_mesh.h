@@ -24,4 +24,7 @@ inline constexpr Rgb8 kNoColor{128, 128, 128};
 void color_mesh(std::span<const ViewSurface> views, std::span<const Eigen::Vector3f> gains,
                 const ModelOptions& options, const Workers& workers, RoomMesh& mesh);
 
+/// Removes triangles that have a point of the colour kNoColor.
+void remove_uncolored(RoomMesh& mesh);
+
 }  // namespace roomcast::model

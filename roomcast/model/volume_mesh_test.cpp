@@ -111,5 +111,15 @@ TEST(VolumeMesh, without_colors_everything_is_grey) {
   for (const Rgb8 color : mesh.colors) ASSERT_EQ(color, (Rgb8{128, 128, 128}));
 }
 
+TEST(VolumeMesh, what_has_no_colour_can_be_left_out) {
+  RoomMesh mesh;
+  mesh.points_m = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1}};
+  mesh.colors = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, kNoColor};
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}};
+  remove_uncolored(mesh);
+  EXPECT_EQ(mesh.triangles.size(), 1u);
+  EXPECT_EQ(mesh.points_m.size(), 3u);
+}
+
 }  // namespace
 }  // namespace roomcast::model

@@ -35,8 +35,7 @@ class Fetching {
     request_.version(11);
     request_.set(http::field::host, where_);
     request_.set(http::field::connection, "close");
-    if (!options.token.empty())
-      request_.set(http::field::authorization, "Bearer " + options.token);
+    if (!options.token.empty()) request_.set(http::field::authorization, "Bearer " + options.token);
     answer_.body_limit(options.max_bytes);
     deadline_.expires_after(options.within);
   }
@@ -68,9 +67,9 @@ class Fetching {
 
   void on_answer(SystemError error) {
     if (error)
-      return end(Error{error == http::error::end_of_stream ? ErrorCode::kUnavailable
-                                                           : ErrorCode::kUnsupported,
-                       where_ + " gave no answer that can be used: " + error.message() + "."});
+      return end(Error{
+          error == http::error::end_of_stream ? ErrorCode::kUnavailable : ErrorCode::kUnsupported,
+          where_ + " gave no answer that can be used: " + error.message() + "."});
     auto answer = answer_.release();
     end(FetchedAnswer{static_cast<int>(answer.result_int()), std::move(answer.body())});
   }

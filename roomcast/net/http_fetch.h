@@ -14,10 +14,10 @@
 namespace roomcast::net {
 
 struct FetchOptions {
-  std::string token;                        // sent as a bearer token; empty: none
-  std::size_t max_bytes = 64'000'000;       // of the body; a longer one is refused
+  std::string token;                         // sent as a bearer token; empty: none
+  std::size_t max_bytes = 64'000'000;        // of the body; a longer one is refused
   std::chrono::milliseconds within{60'000};  // from the call to the whole answer
-  std::stop_token stop = {};                // ends the wait
+  std::stop_token stop = {};                 // ends the wait
 };
 
 struct FetchedAnswer {
@@ -26,8 +26,8 @@ struct FetchedAnswer {
 };
 
 /// GET `target` ("/api/v1/..."). Any HTTP status is an answer. Errors: those of open_stream;
-/// kUnavailable without an answer in time, kClosed once stopped, kUnsupported for what is no HTTP or
-/// too long.
+/// kUnavailable without an answer in time, kClosed once stopped, kUnsupported for what is no HTTP
+/// or too long.
 [[nodiscard]] Result<FetchedAnswer> fetch(const HubUrl& url, const std::string& target,
                                           const FetchOptions& options);
 

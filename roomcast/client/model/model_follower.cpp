@@ -94,7 +94,7 @@ class ModelFollower::Work {
   const ModelSource source_;
   std::mutex mutex_;
   std::condition_variable_any room_is_known_;
-  std::string room_;                       // the rest by both threads
+  std::string room_;  // the rest by both threads
   std::vector<model::DecodedModel> news_;
   std::jthread thread_;  // last: uses all of the above
 };

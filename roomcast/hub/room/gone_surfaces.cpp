@@ -39,7 +39,8 @@ void GoneSurfaces::take(Cell& cell, RoomTime now) {
     cell = {cell.new_near_cm, cell.new_far_cm, cell.new_near_cm, cell.new_far_cm};
   };
   if (cell.far_cm == 0) return stands_now();
-  cell.has_gone = is_longer(cell.near_cm, cell.new_near_cm) || is_longer(cell.far_cm, cell.new_far_cm);
+  cell.has_gone =
+      is_longer(cell.near_cm, cell.new_near_cm) || is_longer(cell.far_cm, cell.new_far_cm);
   const bool is_nearer = !cell.has_gone && (is_longer(cell.new_near_cm, cell.near_cm) ||
                                             is_longer(cell.new_far_cm, cell.far_cm));
   if (!is_nearer) return cell.nearer_since.reset();

@@ -28,9 +28,9 @@ class GoneSurfaces {
 
  private:
   struct Cell {
-    std::uint32_t near_cm = 0, far_cm = 0;      // of what stands there; 0: nothing is known
+    std::uint32_t near_cm = 0, far_cm = 0;          // of what stands there; 0: nothing is known
     std::uint32_t new_near_cm = 0, new_far_cm = 0;  // of the newest report
-    std::optional<RoomTime> nearer_since = {};  // something stands before it, or comes past
+    std::optional<RoomTime> nearer_since = {};      // something stands before it, or comes past
     bool has_gone = false;
     int keys = 0;  // that have come since it has
   };

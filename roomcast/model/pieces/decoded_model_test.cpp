@@ -38,8 +38,7 @@ TEST(DecodedModel, has_the_pieces_and_those_that_have_gone) {
 
 TEST(DecodedModel, a_damaged_piece_is_refused) {
   const std::vector<std::uint8_t> damaged(20, 1);
-  EXPECT_FALSE(
-      decoded(write_model_message({.version = 7, .pieces = {{{0, 0, 0}, damaged}}})).ok());
+  EXPECT_FALSE(decoded(write_model_message({.version = 7, .pieces = {{{0, 0, 0}, damaged}}})).ok());
   EXPECT_FALSE(decoded("no model").ok());
 }
 

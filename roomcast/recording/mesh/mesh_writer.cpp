@@ -9,7 +9,6 @@
 #include "roomcast/io/file_bytes.h"
 #include "roomcast/io/new_folder.h"
 #include "roomcast/model/color_gains.h"
-#include "roomcast/model/spread_color.h"
 #include "roomcast/model/volume_mesh.h"
 
 namespace roomcast::recording {
@@ -97,7 +96,7 @@ Result<model::RoomMesh> mesh_surfaces(std::span<const model::ViewSurface> surfac
   const auto gains = model::color_gains(shared, surfaces.size());
   model::color_mesh(surfaces, gains, options.model, workers, mesh);
   if (workers.stop.stop_requested()) return Error{ErrorCode::kClosed, "interrupted"};
-  if (options.spreads_colors) model::spread_color(mesh);
+  if (options.colored_only) model::remove_uncolored(mesh);
   return mesh;
 }
 

@@ -26,7 +26,7 @@ namespace roomcast::recording {
 struct MeshWriterOptions {
   model::ModelOptions model;
   std::vector<MeshFile> files = {MeshFile::kGlb};
-  bool spreads_colors = false;  // to surfaces whose colour no sensor saw; else they are grey
+  bool colored_only = false;  // leaves out surfaces whose colour no sensor saw; else they are grey
   std::optional<Eigen::AlignedBox3f> crop_m;  // triangles that reach outside are left out
 };
 

@@ -178,7 +178,7 @@ void RoomModeler::Work::fuse(const std::stop_token& stop) {
   const nanoseconds spent_before = thread_cpu_time();
   MeshWriterOptions meshing;
   meshing.model = options_.model;
-  meshing.spreads_colors = true;
+  meshing.colored_only = true;  // viewers give what is left out the colour around it
   const auto mesh = mesh_surfaces(views_.surfaces(), meshing, {}, Workers(1, stop));
   if (stop.stop_requested()) return;
   if (!mesh && mesh.error().code != ErrorCode::kNotFound) warn(mesh.error());

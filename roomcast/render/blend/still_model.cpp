@@ -28,8 +28,7 @@ GlBuffer filled_buffer(std::span<const T> values) {
 bool is_outside(const Eigen::AlignedBox3f& box_m, const Eigen::Matrix4f& clip_from_world) {
   std::array<int, 5> beyond{};  // left, right, below, above, behind the eye: of the box's 8 corners
   for (int corner = 0; corner < 8; ++corner) {
-    const Eigen::Vector3f at_m =
-        box_m.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner));
+    const Eigen::Vector3f at_m = box_m.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner));
     const Eigen::Vector4f clip = clip_from_world * at_m.homogeneous();
     const float w = clip.w();
     beyond[0] += clip.x() < -w;
@@ -58,8 +57,10 @@ StillModel::StillModel(Program program)
                               static_cast<GLuint>(offset));
     glVertexArrayAttribBinding(vertices_.name(), input, 0);
   };
-  declare(shaders::still_model_vert::at_m.location, 3, GL_FLOAT, GL_FALSE, offsetof(ModelPoint, at_m));
-  declare(shaders::still_model_vert::level.location, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(ModelPoint, level));
+  declare(shaders::still_model_vert::at_m.location, 3, GL_FLOAT, GL_FALSE,
+          offsetof(ModelPoint, at_m));
+  declare(shaders::still_model_vert::level.location, 4, GL_UNSIGNED_BYTE, GL_TRUE,
+          offsetof(ModelPoint, level));
 }
 
 Status StillModel::set_piece(const ModelPlace& place, const ModelSurface& surface) {

@@ -40,8 +40,8 @@ class StillModel {
   void clear() { pieces_.clear(); }
   [[nodiscard]] bool is_empty() const { return pieces_.empty(); }
 
-  /// Draws into the bound framebuffer, against its depth, where `shown_depth`, a picture of the same
-  /// size, is infinite. Leaves out pieces that no eye sees.
+  /// Draws into the bound framebuffer, against its depth, where `shown_depth`, a picture of the
+  /// same size, is infinite. Leaves out pieces that no eye sees.
   void draw(const Eyes& eyes, const GlTexture& shown_depth) const;
 
  private:

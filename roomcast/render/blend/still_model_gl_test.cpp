@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/render/blend/still_model.h"
-
 #include "roomcast/render/room_fixture.h"
 
 namespace roomcast::render {
@@ -76,8 +75,8 @@ TEST_F(StillModelTest, has_a_depth_and_is_drawn_for_each_eye) {
   ASSERT_TRUE(model(ModelWall(-3)).ok());
   const ViewCamera ahead = eye_of(kStillLens, kStillPose);
   ViewCamera back = ahead;
-  back.world_from_view = world_from_optical_looking_at(Vector3d(0, 1.5, 0), Vector3d(0, 1.5, 2)) *
-                         optical_from_view();
+  back.world_from_view =
+      world_from_optical_looking_at(Vector3d(0, 1.5, 0), Vector3d(0, 1.5, 2)) * optical_from_view();
   auto target = OffscreenTarget::create(ahead.width, ahead.height, 2);
   ASSERT_TRUE(target.ok());
   ASSERT_TRUE(room_->draw(Eyes(back, ahead), *target, RenderMode::kStill).ok());

@@ -45,7 +45,8 @@ Eigen::Affine3f floor_frame(const Vector2f& at_m) {
 
 std::vector<Vector2f> free_middles(const Room& room) {
   std::vector<Vector2f> free;
-  const Vector2f half_m(0.5F * room.size_m.x() - kFromWalls_m, 0.5F * room.size_m.z() - kFromWalls_m);
+  const Vector2f half_m(0.5F * room.size_m.x() - kFromWalls_m,
+                        0.5F * room.size_m.z() - kFromWalls_m);
   for (float z = -half_m.y(); z <= half_m.y(); z += kGridStep_m) {
     for (float x = -half_m.x(); x <= half_m.x(); x += kGridStep_m) {
       const Footprint here = footprint_of(floor_frame({x, z}), kCabinetSize_m);
