@@ -13,12 +13,15 @@ namespace {
 
 const Eigen::Vector3d kInView_m(0, 0, 2.5);
 
-/// Whether the pair's evidence at the current poses suffices to take part in refinement.
+/// Whether the pair takes part in refinement. Wrong lenses displace features, not what moves.
 bool holds(const PoseEvidence& evidence, const RigOptions& rig) {
   const PlacingOptions& options = rig.placing;
   if (is_strong(evidence, rig.pair.evidence)) return true;
+  const bool moves_alike =
+      evidence.moving_agreement >= rig.pair.evidence.moving_agrees &&
+      static_cast<double>(evidence.solid.consistent) >= rig.contradiction.vouching_solid;
   return (evidence.matches.weight >= options.holding_support ||
-          evidence.score >= options.holding_score) &&
+          evidence.score >= options.holding_score || moves_alike) &&
          evidence.space.consistent > options.holding_overlap &&
          evidence.space.conflict() <= options.holding_conflict;
 }

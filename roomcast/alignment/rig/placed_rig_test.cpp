@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "roomcast/alignment/feature/views_fixture.h"
+#include "roomcast/alignment/feature/walk_views_fixture.h"
 #include "roomcast/alignment/pair/pose_difference.h"
 #include "roomcast/alignment/rig/rig_check.h"
 
@@ -90,6 +91,25 @@ TEST(PlacedRig, leaves_out_a_sensor_whose_refined_pose_no_pair_holds) {
     EXPECT_FALSE(sensor.placed);
     EXPECT_NE(sensor.reason.find("surfaces do not meet"), std::string::npos) << sensor.reason;
   }
+}
+
+TEST(PlacedRig, what_moves_holds_a_pair_whose_features_no_longer_agree) {
+  RoomFixture room;
+  room.coarser = 3;
+  const RigidTransform pose_a = world_from_optical_looking_at({-1.5, 1.8, -1.8}, {0.3, 0.8, 0.9}),
+                       pose_b = world_from_optical_looking_at({1.5, 1.8, -1.8}, {-0.3, 0.8, 0.9});
+  const auto a = walk_view(room, "a", pose_a), b = walk_view(room, "b", pose_b);
+  const ViewFixture in_a{pose_a, a}, in_b{pose_b, b};
+  const PairCandidates candidates(*a, *b, matches_in_group(in_a, in_b, {20, 0, 1}));
+  ASSERT_FALSE(candidates.ranked().empty());
+  const std::array<RigPair, 1> pairs = {{{0, 1, &candidates}}};
+  const std::array<const SensorView*, 2> views = {a.get(), b.get()};
+  RigOptions strict;  // pooled evidence selects the pose, and neither features nor colours hold it
+  strict.pair.evidence.strong_support = strict.pair.evidence.faint_score = 1e6;
+  strict.placing.holding_support = strict.placing.holding_score = 1e6;
+  EXPECT_TRUE(place_rig(views, pairs, strict).sensors[1].placed);
+  strict.contradiction.vouching_solid = 1e6;
+  EXPECT_FALSE(place_rig(views, pairs, strict).sensors[1].placed);
 }
 
 }  // namespace
