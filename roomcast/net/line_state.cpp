@@ -45,6 +45,7 @@ std::optional<LineState> line_state(int socket) {
       info.tcpi_bytes_acked + static_cast<std::uint64_t>(info.tcpi_sacked) * info.tcpi_snd_mss;
   state.unsent_bytes = info.tcpi_notsent_bytes;
   state.round_trip = std::chrono::microseconds(info.tcpi_rtt);
+  state.resent_packets = info.tcpi_total_retrans;
   add_bbr(socket, state);
   return state;
 }

@@ -13,6 +13,7 @@ struct LineState {
   std::uint64_t delivered_bytes = 0;  // that the peer's TCP has, since the connection began
   std::uint64_t unsent_bytes = 0;     // that the kernel has accepted, and not sent yet
   std::chrono::microseconds round_trip{};
+  std::uint64_t resent_packets = 0;  // since the connection began
   /// BBR's estimate of the bandwidth; 0: none, or another congestion control.
   double bbr_bytes_per_s = 0;
   /// BBR drains the line for a moment, to measure the round trip; little is sent meanwhile.

@@ -24,6 +24,10 @@ constexpr double kCut = 0.86;    // of what was delivered: what waits leaves mea
 constexpr double kMaxCut = 0.3;  // of the rate before, at once
 constexpr auto kCutInterval = 150ms;
 
+// Losses take a part of what a line delivers, so where packets were lost the best part of the look
+// counts.
+constexpr auto kPartOfLook = 80ms;
+
 // Growth, per second, as a logarithm.
 const double kStartGrowth = std::log(4.0), kReturnGrowth = std::log(2.0),
              kMaxGrowth = std::log(4.0);
@@ -66,7 +70,7 @@ void BandwidthEstimator::add(const Reading& reading) {
     else
       grow(reading, seconds);
   }
-  moments_.push_back({reading.time, reading.delivered_bytes, rate_});
+  moments_.push_back({reading.time, reading.delivered_bytes, reading.resent_packets, rate_});
   while (moments_.front().time < reading.time - kMemory) moments_.pop_front();
 }
 
@@ -98,9 +102,12 @@ std::optional<double> BandwidthEstimator::overload(const Reading& reading) const
       std::max<nanoseconds>(kLongLook, times(kRoundTripsOfLook, reading.round_trip));
   if (full < kShortLook) return std::nullopt;
   const nanoseconds look = std::min(full, long_look);
-  const double delivered = delivered_since(reading.time - look, reading);
+  const HostTime begin = reading.time - look;
+  const double delivered = delivered_since(begin, reading);
   if (delivered < kMinBytesOfLook) return std::nullopt;
-  const double per_s = delivered / seconds_of(look);
+  const bool has_losses = has_resent_since(begin, reading);
+  if (has_losses && full < long_look) return std::nullopt;
+  const double per_s = has_losses ? best_part_since(begin, reading) : delivered / seconds_of(look);
   // Bytes that arrive now were sent a round trip ago, at the rate of that time.
   const double sent = std::min(rate_, rate_before(reading.time - reading.round_trip));
   const double least = full >= long_look ? kLess : kMuchLess;
@@ -177,6 +184,29 @@ double BandwidthEstimator::delivered_since(HostTime begin, const Reading& readin
     from = &moment;
   }
   return from == nullptr ? 0 : static_cast<double>(reading.delivered_bytes - from->delivered_bytes);
+}
+
+bool BandwidthEstimator::has_resent_since(HostTime begin, const Reading& reading) const {
+  const auto first = std::ranges::find_if(
+      moments_, [begin](const Moment& moment) { return moment.time >= begin; });
+  return first != moments_.end() && reading.resent_packets != first->resent_packets;
+}
+
+/// The highest delivery rate over a part of the time since then, bytes/s.
+double BandwidthEstimator::best_part_since(HostTime begin, const Reading& reading) const {
+  double best = 0;
+  auto from = std::ranges::find_if(moments_,
+                                   [begin](const Moment& moment) { return moment.time >= begin; });
+  const auto consider = [&](HostTime time, std::uint64_t delivered_bytes) {
+    while (from != moments_.end() && time - from->time >= kPartOfLook) {
+      best = std::max(best, static_cast<double>(delivered_bytes - from->delivered_bytes) /
+                                seconds_of(time - from->time));
+      ++from;
+    }
+  };
+  for (const Moment& moment : moments_) consider(moment.time, moment.delivered_bytes);
+  consider(reading.time, reading.delivered_bytes);
+  return best;
 }
 
 }  // namespace roomcast::client

@@ -3,11 +3,11 @@
 // delivers. While bytes wait without a break, the line is full, and what it delivers is what it
 // can: if that is less than the rate, the rate is cut below it, so that what waits can leave.
 // Otherwise the rate grows: fast at first, carefully near the last rate that was too high, faster
-// beyond it. An interruption is no sign of a slower line. Pure; time is an argument.
-// Single-threaded. Sources: capacity as the delivery rate while the sender is not limited by
-// itself, as in BBR (Cardwell et al. 2016); growth by the distance to the last capacity, as in
-// CUBIC (RFC 9438); a constant added to all, by which senders on one line come to equal rates (Chiu
-// and Jain 1989).
+// beyond it. An interruption is no sign of a slower line, and losses without a queue are a weak
+// one. Pure; time is an argument. Single-threaded. Sources: capacity as the delivery rate while the
+// sender is not limited by itself, as in BBR (Cardwell et al. 2016); growth by the distance to the
+// last capacity, as in CUBIC (RFC 9438); a constant added to all, by which senders on one line come
+// to equal rates (Chiu and Jain 1989).
 #pragma once
 
 #include <cstddef>
@@ -32,6 +32,7 @@ class BandwidthEstimator {
     nanoseconds round_trip{};
     double bbr_bytes_per_s = 0;  // 0: unknown
     bool is_probing_round_trip = false;
+    std::uint64_t resent_packets = 0;  // since the connection began
   };
   /// Call every 20 ms or so; a gap of half a second begins anew what was being observed.
   void add(const Reading& reading);
@@ -42,7 +43,7 @@ class BandwidthEstimator {
  private:
   struct Moment {
     HostTime time{};
-    std::uint64_t delivered_bytes = 0;
+    std::uint64_t delivered_bytes = 0, resent_packets = 0;
     double rate = 0;
   };
 
@@ -54,6 +55,8 @@ class BandwidthEstimator {
   [[nodiscard]] double used_share(const Reading& reading) const;
   [[nodiscard]] bool has_queue(const Reading& reading) const;
   [[nodiscard]] double rate_before(HostTime time) const;
+  [[nodiscard]] bool has_resent_since(HostTime begin, const Reading& reading) const;
+  [[nodiscard]] double best_part_since(HostTime begin, const Reading& reading) const;
   [[nodiscard]] double delivered_since(HostTime begin, const Reading& reading) const;
 
   double rate_ = kStart;

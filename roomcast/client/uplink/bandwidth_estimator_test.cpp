@@ -37,8 +37,12 @@ class BandwidthEstimatorTest : public testing::Test {
         std::clamp(std::min(kPaceMargin * rate * kStep_s, window - in_flight()), 0.0, waiting_);
     waiting_ -= sent;
     queued_ += sent;
-    const double carried = std::min(queued_, capacity * kStep_s);
-    queued_ -= carried;
+    lose(queued_ - capacity * longest_queue_s);
+    const double served = std::min(queued_, capacity * kStep_s);
+    const double carried = (is_losing ? 0.2 : 1.0) * served;
+    queued_ -= served;
+    queued_ += served - carried;
+    lose(served - carried);
     sent_ += sent;
     travelling_.push_back({steps_ + static_cast<int>(round_trip_s / kStep_s), carried});
     while (!travelling_.empty() && travelling_.front().arrives_at <= steps_) {
@@ -48,6 +52,15 @@ class BandwidthEstimatorTest : public testing::Test {
     if (steps_ % kStepsPerReading == 0) read();
     highest = std::max(highest, estimator.bytes_per_s());
     lowest = std::min(lowest, estimator.bytes_per_s());
+  }
+
+  /// Of what is in the queue; it is sent again.
+  void lose(double bytes) {
+    if (bytes <= 0) return;
+    queued_ -= bytes;
+    sent_ -= bytes;
+    waiting_ += bytes;
+    lost_ += bytes;
   }
 
   [[nodiscard]] double in_flight() const { return sent_ - delivered_; }
@@ -62,7 +75,8 @@ class BandwidthEstimatorTest : public testing::Test {
          .is_waiting = waiting_ > 1,
          .round_trip = nanoseconds(static_cast<std::int64_t>((round_trip_s + queue_s) * 1e9)),
          .bbr_bytes_per_s = 0,
-         .is_probing_round_trip = is_probing});
+         .is_probing_round_trip = is_probing,
+         .resent_packets = static_cast<std::uint64_t>(lost_ / 1448)});
   }
 
   BandwidthEstimator estimator;
@@ -70,6 +84,8 @@ class BandwidthEstimatorTest : public testing::Test {
   double round_trip_s = 0.03;
   double wanted = 1e9;  // rate that the sender's pictures take at their best
   bool is_probing = false;
+  double longest_queue_s = 1;
+  bool is_losing = false;  // the line loses most packets
   double highest = 0, lowest = 1e12;
 
  private:
@@ -78,7 +94,7 @@ class BandwidthEstimatorTest : public testing::Test {
     double bytes;
   };
   int steps_ = 0;
-  double waiting_ = 0, queued_ = 0, sent_ = 0, delivered_ = 0;
+  double waiting_ = 0, queued_ = 0, sent_ = 0, delivered_ = 0, lost_ = 0;
   std::deque<Travelling> travelling_;
 };
 
@@ -135,6 +151,27 @@ TEST_F(BandwidthEstimatorTest, an_interruption_is_no_slower_line) {
     run(1);
     EXPECT_GT(mbit(), 0.7 * 8);
   }
+}
+
+TEST_F(BandwidthEstimatorTest, bursts_of_losses_are_no_slower_line) {
+  run(10);
+  forget_extremes();
+  for (int burst = 0; burst < 20; ++burst) {
+    is_losing = true;
+    run(0.1);
+    is_losing = false;
+    run(0.3);
+  }
+  EXPECT_GT(lowest, 0.6 * capacity) << "cuts add up";
+}
+
+TEST_F(BandwidthEstimatorTest, a_slower_line_whose_queue_overflows_is_one) {
+  longest_queue_s = 0.05;
+  run(5);
+  capacity = 2 * kMbit;
+  run(1.5);
+  EXPECT_LT(mbit(), 2.3);
+  EXPECT_GT(mbit(), 1.0);
 }
 
 TEST_F(BandwidthEstimatorTest, holds_while_the_kernel_probes_the_round_trip) {

@@ -28,7 +28,8 @@ void UplinkMonitor::read() {
                   .is_waiting = line->unsent_bytes > 0,
                   .round_trip = line->round_trip,
                   .bbr_bytes_per_s = line->bbr_bytes_per_s,
-                  .is_probing_round_trip = line->is_probing_round_trip});
+                  .is_probing_round_trip = line->is_probing_round_trip,
+                  .resent_packets = line->resent_packets});
   const double rate = estimator_.bytes_per_s();
   bytes_per_s_ = rate;
   unsent_bytes_ = line->unsent_bytes;
