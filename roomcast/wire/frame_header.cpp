@@ -14,13 +14,14 @@ namespace {
 constexpr std::size_t kHeaderLengthAt = 4, kFlagsAt = 6, kSensorAt = 8, kLayerAt = 10,
                       kCodecAt = 11, kSeqAt = 12, kSetAt = 16, kCaptureAt = 24, kClockErrorAt = 32,
                       kBaseSeqAt = 36, kPayloadLengthAt = 40, kReservedAt = 44;
-constexpr std::uint16_t kFlagKey = 1, kFlagLast = 2;
+constexpr std::uint16_t kFlagKey = 1, kFlagLast = 2, kFlagSmall = 4;
 
 FrameHeader load_header(std::span<const std::uint8_t> message) {
   const auto flags = read_u16(&message[kFlagsAt]);
   FrameHeader header;
   header.key = (flags & kFlagKey) != 0;
   header.last = (flags & kFlagLast) != 0;
+  header.small = (flags & kFlagSmall) != 0;
   header.sensor = SensorId{read_u16(&message[kSensorAt])};
   header.layer = message[kLayerAt];
   header.codec = message[kCodecAt];
@@ -94,8 +95,9 @@ void write_preamble(MessageType type, std::span<std::uint8_t, kPreambleBytes> ou
 void write_frame_header(const FrameHeader& header, std::span<std::uint8_t, kFrameHeaderBytes> out) {
   write_preamble(MessageType::kFrame, out.first<kPreambleBytes>());
   write_u16(&out[kHeaderLengthAt], static_cast<std::uint16_t>(kFrameHeaderBytes));
-  write_u16(&out[kFlagsAt], static_cast<std::uint16_t>((header.key ? kFlagKey : 0) |
-                                                       (header.last ? kFlagLast : 0)));
+  write_u16(&out[kFlagsAt],
+            static_cast<std::uint16_t>((header.key ? kFlagKey : 0) | (header.last ? kFlagLast : 0) |
+                                       (header.small ? kFlagSmall : 0)));
   out[kLayerAt] = header.layer;
   out[kCodecAt] = header.codec;
   write_u32(&out[kSeqAt], header.seq);

@@ -26,12 +26,13 @@ enum class MessageType : std::uint8_t { kFrame = 1, kControl = 2, kAudio = 3 };
 [[nodiscard]] Result<MessageType> message_type(std::span<const std::uint8_t> message);
 
 struct FrameHeader {
-  bool key = false;   // decodable without other frames
-  bool last = false;  // the last frame of its frame set; written by the hub
+  bool key = false;    // decodable without other frames
+  bool last = false;   // the last frame of its frame set; written by the hub
+  bool small = false;  // of the sensor's small rendition, which is numbered by itself
   SensorId sensor{};
   std::uint8_t layer = 0;  // temporal layer; later frames depend on layer 0
   std::uint8_t codec = 1;
-  std::uint32_t seq = 0;  // counts the sensor's frames since it joined, modulo 2^32
+  std::uint32_t seq = 0;  // counts the rendition's frames since the sensor joined, modulo 2^32
   SetId set{};            // written by the hub
   RoomTime capture_time{};
   std::uint32_t clock_error_us = kClockErrorUnknown;

@@ -14,6 +14,7 @@ FrameHeader some_header() {
   FrameHeader header;
   header.key = true;
   header.last = true;
+  header.small = true;
   header.sensor = SensorId{0x1234};
   header.layer = 1;
   header.codec = 1;
@@ -41,7 +42,7 @@ TEST(FrameHeader, decoding_reverses_encoding) {
 TEST(FrameHeader, bytes_lie_where_the_spec_says) {
   const auto message = framed(some_header());
   const std::vector<std::uint8_t> expected = {
-      'R',  'C',  1,    1,    48,   0,    3,    0,     // magic, version, type, header length, flags
+      'R',  'C',  1,    1,    48,   0,    7,    0,     // magic, version, type, header length, flags
       0x34, 0x12, 1,    1,    0xDD, 0xCC, 0xBB, 0xAA,  // sensor, layer, codec, seq
       8,    7,    6,    5,    4,    3,    2,    1,     // set
       0xFE, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,  // capture_ns

@@ -30,6 +30,7 @@ struct GoldenMessage {
 json json_from(const FrameHeader& h) {
   return {{"key", h.key},
           {"last", h.last},
+          {"small", h.small},
           {"sensor", h.sensor.value},
           {"layer", h.layer},
           {"codec", h.codec},
@@ -135,6 +136,16 @@ void add_view_messages(std::vector<GoldenMessage>& messages) {
       R"({"watchedFrom":{"cones":[{"eye":{"x":0.5,"y":-1.5,"z":2},"forward":{"z":-1},"halfAngle":0.75}]}})"));
 }
 
+/// Since sensors may send a small rendition.
+void add_rendition_messages(std::vector<GoldenMessage>& messages, FrameHeader header) {
+  header.small = true;
+  messages.push_back(golden_frame("frame_small", header, {1, 2}));
+  messages.push_back(golden_control("control_frame_demand_small",
+                                    R"({"frameDemand":{"wanted":true,"small":true}})"));
+  messages.push_back(
+      golden_control("control_key_request_small", R"({"keyRequest":{"sensorId":3,"small":true}})"));
+}
+
 void add_settings_messages(std::vector<GoldenMessage>& messages) {
   messages.push_back(golden_control(
       "control_settings_request",
@@ -215,6 +226,7 @@ std::vector<GoldenMessage> golden_messages() {
   add_visibility_messages(messages);
   add_settings_messages(messages);
   add_view_messages(messages);
+  add_rendition_messages(messages, key);
   return messages;
 }
 

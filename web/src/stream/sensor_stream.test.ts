@@ -24,6 +24,7 @@ function headerOf(n: number): FrameHeader {
   return {
     key: n === 0,
     last: true,
+    small: false,
     sensor: 5,
     layer: n % 2,
     codec: 1,

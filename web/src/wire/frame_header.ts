@@ -12,6 +12,7 @@ export const unknownClockError_us = 0xffffffff;
 
 const flagKey = 1;
 const flagLast = 2;
+const flagSmall = 4;
 
 export enum MessageType {
   Frame = 1,
@@ -22,6 +23,7 @@ export enum MessageType {
 export interface FrameHeader {
   key: boolean; // decodable without other frames
   last: boolean; // the last frame of its set on this connection
+  small: boolean; // of the sensor's small rendition, which is numbered by itself
   sensor: number;
   layer: number; // 0: later frames may depend on it
   codec: number;
@@ -50,6 +52,7 @@ function readHeader(message: DataView): FrameHeader {
   return {
     key: (flags & flagKey) !== 0,
     last: (flags & flagLast) !== 0,
+    small: (flags & flagSmall) !== 0,
     sensor: message.getUint16(8, true),
     layer: message.getUint8(10),
     codec: message.getUint8(11),

@@ -46,6 +46,7 @@ function meaningOfFrame(bytes: Uint8Array): Record<string, unknown> {
     sensor: h.sensor,
     seq: h.seq,
     set_id: h.setId.toString(),
+    small: h.small,
   };
 }
 
