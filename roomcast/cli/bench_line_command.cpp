@@ -31,13 +31,17 @@ void add_line_bench(CLI::App& bench, Command& chosen) {
                                            "with a viewer who looks around, with a target rate, "
                                            "and on a line that changes");
   command
-      ->add_option("--case", options->cases,
-                   "Cases: unwatched, looking, rate, uplink, auto, loss (the last four need root)")
+      ->add_option(
+          "--case", options->cases,
+          "Cases: unwatched, looking, rate, uplink, auto, viewer, loss (the last five need "
+          "root)")
       ->delimiter(',')
-      ->check(CLI::IsMember({"unwatched", "looking", "rate", "uplink", "auto", "loss"}));
+      ->check(CLI::IsMember({"unwatched", "looking", "rate", "uplink", "auto", "viewer", "loss"}));
   command
-      ->add_option("--mbit", options->target_mbit,
-                   "Cases rate, uplink: target rates of all sensors together, Mbit/s")
+      ->add_option(
+          "--mbit", options->target_mbit,
+          "Cases rate, uplink: target rates of all sensors together; case viewer: rates of "
+          "a viewer's line, Mbit/s")
       ->delimiter(',')
       ->check(within(0.1, 800.0));
   command

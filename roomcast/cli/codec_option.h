@@ -36,7 +36,7 @@ inline void add_target_rate_option(CLI::App& command, sensor::CodecChoice& choic
       ->type_name("auto or 0.1 to 100");
 }
 
-/// Adds --codec, --bound-mm, --layers, --color-scale, --color-kbit and --mbit.
+/// Adds --codec, --bound-mm, --layers, --color-scale, --color-kbit, --mbit and --small-mbit.
 inline void add_codec_options(CLI::App& command, sensor::CodecChoice& choice) {
   const std::map<std::string, codec::DepthMode> modes = {
       {"live", codec::DepthMode::kLive},
@@ -67,6 +67,15 @@ inline void add_codec_options(CLI::App& command, sensor::CodecChoice& choice) {
       ->check(within(50, 20'000))
       ->default_str("790, or 1000 with --color-scale 2");
   add_target_rate_option(command, choice);
+  const auto rate = within(sensor::kMinTargetMbit, sensor::kMaxTargetMbit);
+  command
+      .add_option("--small-mbit", choice.small_mbit_per_s,
+                  "Bit rate of a small rendition, Mbit/s, which is sent besides while the line of "
+                  "some viewer takes no more; with --mbit at most a quarter of that; 0: none")
+      ->check(CLI::Validator(
+          [rate](std::string text) { return text == "0" ? std::string() : rate(text); }, ""))
+      ->type_name("0 or 0.1 to 100")
+      ->capture_default_str();
 }
 
 }  // namespace roomcast::cli

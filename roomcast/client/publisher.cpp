@@ -59,6 +59,11 @@ std::optional<Publisher::Published> Publisher::publish(const Turn& turn,
   return link_->publish(turn, info, capture_time, std::move(message));
 }
 
+void Publisher::publish_small(const Turn& turn, const codec::EncodedFrameInfo& info,
+                              HostTime capture_time, net::MessageBuffer message) {
+  link_->publish_small(turn, info, capture_time, std::move(message));
+}
+
 void Publisher::send_bundle(wire::pb::CalibrationBundle bundle) {
   link_->send_bundle(std::move(bundle));
 }

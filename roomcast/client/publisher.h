@@ -77,6 +77,7 @@ class Publisher {
     bool is_seen = true;     // and sees what this sensor shows
     bool base_only = false;  // and needs layer 0 only
     double mbit = 0;         // the sensor's share of the room's uplink, Mbit/s; 0: any rate
+    bool small = false;      // some viewer's line takes no more than its small rendition
   };
   /// By the hub's last word. Everything is wanted without a connection, and with `send_unwatched`,
   /// except for the rate. Thread-safe.
@@ -97,7 +98,8 @@ class Publisher {
   struct Turn {
     std::uint64_t session = 0;
     bool want_key = false;
-    double rate_share = 1;  // share of the full rate that the network carries: see SendRate
+    bool want_small_key = false;  // of the small rendition
+    double rate_share = 1;        // share of the full rate that the network carries: see SendRate
   };
 
   /// Nothing: skip this frame (no connection, room time not known yet, or frames are queued).
@@ -117,6 +119,9 @@ class Publisher {
   /// Nothing: the connection broke meanwhile, or the frame exceeds the wire's limit.
   std::optional<Published> publish(const Turn& turn, const codec::EncodedFrameInfo& info,
                                    HostTime capture_time, net::MessageBuffer message);
+  /// Publishes a frame of the small rendition, before the other one of this turn.
+  void publish_small(const Turn& turn, const codec::EncodedFrameInfo& info, HostTime capture_time,
+                     net::MessageBuffer message);
 
   /// Sends the calibration bundle, by which the sensor can be placed: now, and again after every
   /// reconnection.

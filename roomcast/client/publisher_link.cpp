@@ -19,6 +19,7 @@ Publisher::Demand demand_from(const wire::pb::FrameDemand& message, bool send_al
   demand.is_watched = message.wanted();
   demand.is_seen = !message.unseen();
   demand.base_only = message.base_only();
+  demand.small = message.small();
   return demand;
 }
 
@@ -59,7 +60,8 @@ void Publisher::Link::on_control(const wire::pb::Control& message) {
     options_.on_settings_request(message.settings_request());
   {
     std::lock_guard lock(mutex_);
-    if (message.has_key_request()) shared_.want_key = true;
+    if (message.has_key_request())
+      (message.key_request().small() ? shared_.want_small_key : shared_.want_key) = true;
     if (message.has_sighting_request()) shared_.wanted_sightings = message.sighting_request();
     if (message.has_depth_scale()) shared_.depth_scale = message.depth_scale().factor();
     if (message.has_watched_from() && options_.takes_views && !options_.send_unwatched) {
@@ -81,14 +83,15 @@ net::FramedMessagePtr Publisher::Link::next_frame() {
     return sound;
   }
   if (unsent_.empty()) return nullptr;
-  auto message = std::move(unsent_.front());
+  auto [message, is_small] = std::move(unsent_.front());
   unsent_.pop_front();
   std::lock_guard lock(mutex_);
-  --shared_.unsent;
   shared_.unsent_bytes -= message->size();
-  ++shared_.stats.frames_sent;
   shared_.stats.bytes_sent += message->size();
-  return message;
+  if (is_small) return std::move(message);
+  --shared_.unsent;
+  ++shared_.stats.frames_sent;
+  return std::move(message);
 }
 
 void Publisher::Link::on_clock(const ClockEstimate& estimate) {
@@ -114,19 +117,19 @@ void Publisher::Link::on_down(const Error& reason, bool final) {
     options_.log(LogLevel::kWarning, reason.message + "; trying again");
 }
 
-std::optional<wire::FrameHeader> Publisher::Link::make_header(const Turn& turn,
+std::optional<wire::FrameHeader> Publisher::Link::make_header(FrameSequence& sequence,
+                                                              const Turn& turn,
                                                               const codec::EncodedFrameInfo& info,
                                                               HostTime capture_time) {
-  sequence_.enter(turn.session);
-  auto header = sequence_.next(info);
+  sequence.enter(turn.session);
+  auto header = sequence.next(info);
   if (!header) return std::nullopt;
   std::lock_guard lock(mutex_);
   if (!shared_.connected || shared_.session != turn.session || !shared_.clock) return std::nullopt;
   header->sensor = shared_.sensor;
   header->capture_time = shared_.clock->room_time(capture_time);
   header->clock_error_us = clock_error_us(shared_.clock->error);
-  ++shared_.unsent;
-  sequence_.sent(*header);
+  sequence.sent(*header);
   return header;
 }
 
@@ -140,30 +143,50 @@ std::optional<Publisher::Published> Publisher::Link::publish(const Turn& turn,
                                                              const codec::EncodedFrameInfo& info,
                                                              HostTime capture_time,
                                                              net::MessageBuffer message) {
-  auto header = fits(message) ? make_header(turn, info, capture_time) : std::nullopt;
+  auto header = fits(message) ? make_header(sequence_, turn, info, capture_time) : std::nullopt;
+  std::unique_lock lock(mutex_);
   if (!header) {
-    std::lock_guard lock(mutex_);
     shared_.want_key = true;  // this frame is lost, and later ones may build on it
     skip_frame();
     return std::nullopt;
   }
-  const auto bytes = message.payload();
-  header->payload_length = static_cast<std::uint32_t>(bytes.size() - wire::kFrameHeaderBytes);
-  wire::write_frame_header(*header, bytes.first<wire::kFrameHeaderBytes>());
-  boost::asio::post(network_.io(), [this, session = turn.session,
-                                    sealed = net::frame_message(std::move(message))]() mutable {
-    enqueue(session, std::move(sealed));
-  });
+  ++shared_.unsent;
+  lock.unlock();
+  post(turn, *header, std::move(message));
   return Published{header->seq, header->capture_time};
 }
 
-void Publisher::Link::enqueue(std::uint64_t session, net::FramedMessagePtr message) {
+void Publisher::Link::publish_small(const Turn& turn, const codec::EncodedFrameInfo& info,
+                                    HostTime capture_time, net::MessageBuffer message) {
+  auto header =
+      fits(message) ? make_header(small_sequence_, turn, info, capture_time) : std::nullopt;
+  if (!header) {
+    std::lock_guard lock(mutex_);
+    shared_.want_small_key = true;
+    return;
+  }
+  header->small = true;
+  post(turn, *header, std::move(message));
+}
+
+/// Completes the message and hands it to the network's thread.
+void Publisher::Link::post(const Turn& turn, wire::FrameHeader header, net::MessageBuffer message) {
+  const auto bytes = message.payload();
+  header.payload_length = static_cast<std::uint32_t>(bytes.size() - wire::kFrameHeaderBytes);
+  wire::write_frame_header(header, bytes.first<wire::kFrameHeaderBytes>());
+  boost::asio::post(network_.io(), [this, session = turn.session, is_small = header.small,
+                                    sealed = net::frame_message(std::move(message))]() mutable {
+    enqueue(session, {std::move(sealed), is_small});
+  });
+}
+
+void Publisher::Link::enqueue(std::uint64_t session, UnsentFrame frame) {
   {
     std::lock_guard lock(mutex_);
     if (session != shared_.session || !shared_.connected) return;
-    shared_.unsent_bytes += message->size();
+    shared_.unsent_bytes += frame.message->size();
   }
-  unsent_.push_back(std::move(message));
+  unsent_.push_back(std::move(frame));
   link_.wake();
 }
 

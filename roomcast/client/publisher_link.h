@@ -94,11 +94,15 @@ class Publisher::Link final : public HubLinkEvents {
     }
     send_rate_.flowed(SteadyClock().now());
     const double share = options_.estimate_uplink ? 1 : send_rate_.share();
-    return Turn{shared_.session, std::exchange(shared_.want_key, false), share};
+    return Turn{shared_.session, std::exchange(shared_.want_key, false),
+                std::exchange(shared_.want_small_key, false), share};
   }
 
   std::optional<Published> publish(const Turn& turn, const codec::EncodedFrameInfo& info,
                                    HostTime capture_time, net::MessageBuffer message);
+
+  void publish_small(const Turn& turn, const codec::EncodedFrameInfo& info, HostTime capture_time,
+                     net::MessageBuffer message);
 
   void send_bundle(wire::pb::CalibrationBundle bundle) {
     boost::asio::post(network_.io(), [this, bundle = std::move(bundle)]() mutable {
@@ -179,14 +183,14 @@ class Publisher::Link final : public HubLinkEvents {
     std::uint64_t session = 0;  // counts welcomes
     SensorId sensor{};
     bool connected = false;
-    bool want_key = false;
+    bool want_key = false, want_small_key = false;
     Demand demand;
     std::shared_ptr<const wire::pb::WatchedFrom> views;  // null: everything is seen
     bool may_speak = false;
     wire::pb::SightingRequest wanted_sightings;
     std::optional<double> depth_scale;
     std::optional<ClockEstimate> clock;
-    std::size_t unsent = 0, unsent_bytes = 0;  // frames
+    std::size_t unsent = 0, unsent_bytes = 0;  // frames; the small ones count as bytes only
     std::optional<Error> down;                 // why there is no connection now
     std::optional<Error> failure;              // why the connection ended for good
     PublisherStats stats;
@@ -195,18 +199,24 @@ class Publisher::Link final : public HubLinkEvents {
   };
   static constexpr double kUnlimited = 4e9;  // bytes per second
 
-  std::optional<wire::FrameHeader> make_header(const Turn& turn,
+  struct UnsentFrame {
+    net::FramedMessagePtr message;
+    bool is_small = false;
+  };
+
+  std::optional<wire::FrameHeader> make_header(FrameSequence& sequence, const Turn& turn,
                                                const codec::EncodedFrameInfo& info,
                                                HostTime capture_time);
+  void post(const Turn& turn, wire::FrameHeader header, net::MessageBuffer message);
   [[nodiscard]] std::size_t max_frames_waiting() const {
     return options_.estimate_uplink ? 1 : kMaxFramesWaiting;
   }
   void skip_frame();
-  void enqueue(std::uint64_t session, net::FramedMessagePtr message);
+  void enqueue(std::uint64_t session, UnsentFrame frame);
 
   PublisherOptions options_;
   // Used by the publishing thread only.
-  FrameSequence sequence_;
+  FrameSequence sequence_, small_sequence_;
   SendRate send_rate_;
 
   mutable std::mutex mutex_;
@@ -216,7 +226,7 @@ class Publisher::Link final : public HubLinkEvents {
 
   // Used by the network thread only.
   NetworkThread network_;
-  std::deque<net::FramedMessagePtr> unsent_;
+  std::deque<UnsentFrame> unsent_;
   VoiceSender voice_;
   std::optional<double> paced_by_hub_;  // payload bytes per second
   std::optional<wire::pb::Control> bundle_;

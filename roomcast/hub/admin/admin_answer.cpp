@@ -159,6 +159,7 @@ Json viewer_json(const ViewerStats& viewer, const std::string& address) {
                {"bytes_per_second", viewer.bytes_per_s},
                {"sets_dropped", viewer.dropped_sets},
                {"audio_packets_dropped", viewer.dropped_audio},
+               {"small_sensors", viewer.small_sensors},
                {"shown_fps", viewer.shown_fps},
                {"latency_ms", viewer.latency_ms}};
   if (!viewer.plays.empty()) json["plays"] = viewer.plays;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "roomcast/core/assert.h"
@@ -34,6 +35,7 @@ void FrameSynchronizer::pause_sensor(SensorId sensor, bool is_paused) {
   if (found == sensors_.end() || found->second.is_paused == is_paused) return;
   found->second.is_paused = is_paused;
   found->second.last.reset();
+  found->second.small.clear();
   found->second.gaps = {};
 }
 
@@ -97,6 +99,11 @@ bool FrameSynchronizer::add_frame(const wire::FrameHeader& header, net::MessageB
   const auto found = sensors_.find(header.sensor);
   ROOMCAST_ASSERT(found != sensors_.end());
   Sensor& sensor = found->second;
+  if (header.small) {
+    if (sensor.small.size() >= kMaxFramesOfSensorInSet) return false;
+    sensor.small.push_back({header, std::move(message)});
+    return true;
+  }
   const auto slot = assign_slot(sensor, header.capture_time);
   if (!slot) return false;
   const bool is_late = newest_closed_ && natural_slot(header.capture_time) <= *newest_closed_;
@@ -110,6 +117,8 @@ bool FrameSynchronizer::add_frame(const wire::FrameHeader& header, net::MessageB
     set->second.deadline = now + std::max<nanoseconds>(wire::kSetDeadline, period_);
     set->second.frames.reserve(sensors_.size());
   }
+  std::ranges::move(sensor.small, std::back_inserter(set->second.frames));
+  sensor.small.clear();
   set->second.frames.push_back({header, std::move(message)});
   if (open_.size() > kMaxOpenSets) close_oldest();
   return true;

@@ -42,7 +42,8 @@ class FrameSynchronizer {
   [[nodiscard]] double fps() const;
 
   /// Takes a frame that wire::parse_frame accepted, of a sensor that was added. False: the frame
-  /// was discarded, because its set already has kMaxFramesOfSensorInSet frames of this sensor.
+  /// was discarded, because its set already has kMaxFramesOfSensorInSet frames of this sensor. A
+  /// frame of a small rendition waits for the sensor's next other frame, and is in its set.
   bool add_frame(const wire::FrameHeader& header, net::MessageBuffer message, RoomTime now);
 
   /// Returns the closed sets in order: complete ones, and those whose deadline has passed.
@@ -55,6 +56,10 @@ class FrameSynchronizer {
  private:
   using Slot = std::int64_t;  // k of the spec: the number of frame periods since room time 0
 
+  struct Pending {
+    wire::FrameHeader header;
+    net::MessageBuffer message;
+  };
   struct Sensor {
     double fps = 0;
     std::uint64_t other_hub = 0;
@@ -68,10 +73,7 @@ class FrameSynchronizer {
       RoomTime arrival_time{};
     };
     std::optional<Delivery> last;
-  };
-  struct Pending {
-    wire::FrameHeader header;
-    net::MessageBuffer message;
+    std::vector<Pending> small = {};  // of its small rendition, whose sets are not known yet
   };
   struct OpenSet {
     RoomTime deadline{};

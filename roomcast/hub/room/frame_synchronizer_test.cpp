@@ -79,6 +79,31 @@ TEST_F(Builder, a_set_does_not_wait_beyond_its_deadline) {
   EXPECT_EQ(builder.next_deadline(), std::nullopt);
 }
 
+TEST_F(Builder, a_small_frame_comes_in_the_set_of_the_full_one_ahead_of_it) {
+  both_deliver_once();
+  wire::FrameHeader small{.small = true, .sensor = kLeft, .capture_time = captured_at(50ms)};
+  EXPECT_TRUE(builder.add_frame(small, message_of(small), captured_at(51ms)));
+  EXPECT_EQ(builder.next_deadline(), std::nullopt) << "it opens no set";
+  add(kLeft, 50ms, 52ms);
+  add(kRight, 54ms, 56ms);
+  const auto sets = builder.take_closed(captured_at(56ms));
+  ASSERT_EQ(sets.size(), 1u);
+  const auto& frames = sets[0]->frames;
+  ASSERT_EQ(frames.size(), 3u);
+  EXPECT_TRUE(frames[0].header.small);
+  EXPECT_FALSE(frames[1].header.small);
+  EXPECT_EQ(frames[1].header.sensor, kLeft);
+  EXPECT_TRUE(frames[2].header.last);
+}
+
+TEST_F(Builder, small_frames_without_full_ones_are_bounded) {
+  wire::FrameHeader small{.small = true, .sensor = kLeft};
+  int taken = 0;
+  for (int i = 0; i < 100; ++i)
+    taken += builder.add_frame(small, message_of(small), captured_at(0ms));
+  EXPECT_EQ(taken, static_cast<int>(FrameSynchronizer::kMaxFramesOfSensorInSet));
+}
+
 TEST_F(Builder, the_deadline_is_a_period_where_that_is_longer) {
   FrameSynchronizer slow;
   slow.add_sensor(kLeft, 5);

@@ -176,7 +176,9 @@ RoomActions Room::tick(RoomTime now) {
   RoomActions out;
   send_closed_sets(now, out);
   for (RoomSensor& sensor : sensors_.all()) {
-    if (sensor.connection && sensor.key_pace.due(now)) ask_for_key(sensor, out);
+    if (!sensor.connection) continue;
+    if (sensor.key_pace.due(now)) ask_for_key(sensor, out);
+    if (sensor.small_key_pace.due(now)) ask_for_key(sensor, out, true);
   }
   if (auto poses = poses_.take(now)) {
     out.push_back(SendControl{readers_of_poses(), *std::move(poses)});
@@ -196,7 +198,9 @@ std::optional<RoomTime> Room::next_tick() const {
     if (time && (!next || *time < *next)) next = time;
   };
   for (const RoomSensor& sensor : sensors_.all()) {
-    if (sensor.connection) consider(sensor.key_pace.next());
+    if (!sensor.connection) continue;
+    consider(sensor.key_pace.next());
+    consider(sensor.small_key_pace.next());
   }
   consider(poses_.next());
   consider(voices_.next());
@@ -321,7 +325,8 @@ RoomStats Room::stats() const {
                              .speaks = voices_.is_speaking(viewer.id),
                              .muted = voices_.is_muted(viewer.id),
                              .shown_fps = viewer.reported_stats.shown_fps(),
-                             .latency_ms = viewer.reported_stats.latency_ms()});
+                             .latency_ms = viewer.reported_stats.latency_ms(),
+                             .small_sensors = viewer.small.size()});
   }
   add_players_to(stats);
   std::ranges::sort(stats.viewers, {}, &ViewerStats::id);

@@ -29,6 +29,7 @@
 #include "roomcast/hub/room/room_action.h"
 #include "roomcast/hub/room/room_stats.h"
 #include "roomcast/hub/room/sensor_list.h"
+#include "roomcast/hub/room/small_needs.h"
 #include "roomcast/hub/room/start_pose.h"
 #include "roomcast/hub/room/uplink_share.h"
 #include "roomcast/hub/room/voice_relay.h"
@@ -84,6 +85,9 @@ class Room {
                                                 RoomTime now);
   /// Frames of this sensor were dropped for a viewer, which needs a key frame to continue.
   [[nodiscard]] RoomActions key_needed(SensorId sensor, RoomTime now);
+  /// A viewer's line takes less, or more, than before. No effect if it has left.
+  [[nodiscard]] RoomActions small_needed(ConnectionId viewer, const SmallNeeds& needs,
+                                         RoomTime now);
   /// Forgets a sensor; if it joins again it is a new one. Has no effect on a sensor that is online.
   [[nodiscard]] RoomActions forget(const std::string& sensor, RoomTime now);
   /// Whether other hubs have viewers for the sensors of this one.
@@ -116,6 +120,7 @@ class Room {
     bool may_speak = false;
     bool hears = false;  // it wants audio packets
     std::string token_id;
+    std::vector<SensorId> small = {};           // of these it gets the small rendition
     wire::pb::ViewerStats reported_stats = {};  // reported by the viewer
     RateLimit people{kPeopleReportsPerSecond, 4 * kPeopleReportsPerSecond};
     std::uint64_t author_tag = 0;  // of its marks
@@ -176,7 +181,8 @@ class Room {
   void name_other_hubs(const wire::pb::Control& message, RoomActions& out);
   bool evict_for(const std::string& name);
   RoomSensor* known_or_new_sensor(const std::string& name, RoomActions& out);
-  void ask_for_key(const RoomSensor& sensor, RoomActions& out);
+  void ask_for_key(const RoomSensor& sensor, RoomActions& out, bool small = false);
+  [[nodiscard]] bool is_wanted_small(SensorId sensor) const;
   void take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out);
   void send_closed_sets(RoomTime now, RoomActions& out);
   void follow_surface(RoomSensor& sensor);

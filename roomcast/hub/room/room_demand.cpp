@@ -49,6 +49,7 @@ void Room::look_at_wishes(RoomSensor& sensor) const {
   pb::FrameDemand& wanted = sensor.wanted;
   wanted.Clear();
   wanted.set_wanted(demand_.wanted());
+  wanted.set_small(demand_.wanted() && is_wanted_small(sensor.id));
   if (!demand_.wanted() || wants_all()) return;
   const auto wishes = culling_.wishes_for(sensor.id);
   wanted.set_unseen(!viewers_.empty() && wishes.all + wishes.base_only == 0);

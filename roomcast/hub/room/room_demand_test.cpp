@@ -112,5 +112,47 @@ TEST_F(RoomTest, a_sensor_with_a_rate_of_its_own_gets_no_more) {
   EXPECT_EQ(room.stats().sensors[1].share_mbit, 5);
 }
 
+TEST_F(RoomTest, a_sensor_sends_its_small_rendition_while_some_viewer_needs_it) {
+  const auto left = enter(sensor_join("left")), right = enter(sensor_join("right"));
+  const auto slow = enter(viewer_join(), 1s), good = enter(viewer_join(), 1s);
+  const auto begun =
+      demands(room.small_needed(slow, {.wanted = {SensorId{1}}, .keys = {}}, at(2s)));
+  ASSERT_EQ(begun.size(), 1U);
+  EXPECT_THAT(begun[0].to, ElementsAre(right));
+  EXPECT_TRUE(begun[0].message.frame_demand().small());
+  EXPECT_TRUE(wanted(begun[0]));
+  EXPECT_THAT(demands(room.small_needed(good, {.wanted = {}, .keys = {}}, at(3s))), IsEmpty());
+  EXPECT_THAT(demands(room.small_needed(slow, {.wanted = {SensorId{1}, SensorId{0}}, .keys = {}},
+                                        at(4s)))[0]
+                  .to,
+              ElementsAre(left));
+  EXPECT_EQ(room.stats().viewers[0].small_sensors, 2u);
+  EXPECT_EQ(room.stats().viewers[1].small_sensors, 0u);
+  const auto ended = demands(room.leave(slow, at(5s)));
+  ASSERT_EQ(ended.size(), 1U);
+  EXPECT_THAT(ended[0].to, UnorderedElementsAre(left, right));
+  EXPECT_FALSE(ended[0].message.frame_demand().small());
+}
+
+TEST_F(RoomTest, key_frames_of_the_small_rendition_are_asked_for_by_themselves) {
+  const auto sensor = enter(sensor_join("left"));
+  const auto viewer = enter(viewer_join(), 1s);
+  const auto keys = [](const RoomActions& done) {
+    return messages(done, pb::Control::kKeyRequest);
+  };
+  const SmallNeeds needs{.wanted = {SensorId{0}}, .keys = {SensorId{0}}};
+  const auto asked = keys(room.small_needed(viewer, needs, at(2s)));
+  ASSERT_EQ(asked.size(), 1U);
+  EXPECT_THAT(asked[0].to, ElementsAre(sensor));
+  EXPECT_TRUE(asked[0].message.key_request().small());
+  EXPECT_EQ(keys(room.key_needed(SensorId{0}, at(2s))).size(), 1U) << "it has a pace of its own";
+  EXPECT_THAT(keys(room.small_needed(viewer, needs, at(2s + 1ms))), IsEmpty());
+  EXPECT_EQ(keys(room.tick(at(2s + wire::kKeyRequestInterval + 1ms))).size(), 1U);
+  EXPECT_THAT(room.small_needed(ConnectionId{99}, needs, at(9s)), IsEmpty()) << "it has left";
+  EXPECT_THAT(keys(room.small_needed(viewer, {.wanted = {}, .keys = {SensorId{31}}}, at(9s))),
+              IsEmpty())
+      << "no such sensor";
+}
+
 }  // namespace
 }  // namespace roomcast::hub

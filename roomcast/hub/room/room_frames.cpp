@@ -50,7 +50,9 @@ void Room::take_frame(IncomingFrame& frame, RoomTime now, RoomActions& out) {
     return;
   }
   RoomSensor& sensor = *sensors_.find(frame.from);
-  if (frame.header.key) {
+  if (frame.header.small) {
+    if (frame.header.key) sensor.small_key_pace.key_frame_came();
+  } else if (frame.header.key) {
     sensor.key_pace.key_frame_came();
     sensor.gone.key_frame_came(now);
   } else if (!modelers_.empty() && sensor.gone.wants_key(now)) {
@@ -68,9 +70,31 @@ RoomActions Room::key_needed(SensorId id, RoomTime now) {
   return out;
 }
 
-void Room::ask_for_key(const RoomSensor& sensor, RoomActions& out) {
+RoomActions Room::small_needed(ConnectionId viewer, const SmallNeeds& needs, RoomTime now) {
+  RoomActions out;
+  const auto found = viewers_.find(viewer);
+  if (found == viewers_.end()) return out;
+  found->second.small = needs.wanted;
+  tell_demands(now, out);
+  for (const SensorId id : needs.keys) {
+    RoomSensor* const sensor = sensors_.find(id);
+    if (sensor == nullptr || !sensor->connection) continue;
+    if (sensor->small_key_pace.request(now)) ask_for_key(*sensor, out, true);
+  }
+  return out;
+}
+
+/// Some viewer's line takes no more.
+bool Room::is_wanted_small(SensorId sensor) const {
+  return std::ranges::any_of(viewers_, [sensor](const auto& entry) {
+    return std::ranges::find(entry.second.small, sensor) != entry.second.small.end();
+  });
+}
+
+void Room::ask_for_key(const RoomSensor& sensor, RoomActions& out, bool small) {
   pb::Control request;
   request.mutable_key_request()->set_sensor_id(sensor.id.value);
+  request.mutable_key_request()->set_small(small);
   out.push_back(SendControl{{*sensor.connection}, std::move(request)});
 }
 

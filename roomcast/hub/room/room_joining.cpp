@@ -95,7 +95,7 @@ void Room::join_sensor(ConnectionId from, const pb::Join& join, const Entry& ent
   sensor->has_spoken = false;
   sensor->is_at_other_hub = entry.other_hub != 0;
   sensor->description = join.sensor();
-  sensor->key_pace = {};  // its first frame is a key frame anyway
+  sensor->key_pace = sensor->small_key_pace = {};  // its first frame is a key frame anyway
   sensor->stats.newest_seq.reset();
   sensor->bundle.reset();
   sensor->coarse_depth.reset();

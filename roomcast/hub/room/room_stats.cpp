@@ -45,8 +45,9 @@ std::size_t sensor_count(const FrameSet& set) {
 
 void count_frame(const wire::FrameHeader& header, std::size_t bytes, RoomTime now,
                  SensorStats& stats) {
-  ++stats.frames;
   stats.bytes += bytes;
+  if (header.small) return;  // it comes beside a frame that is counted
+  ++stats.frames;
   if (stats.newest_seq) stats.missed += frames_between(*stats.newest_seq, header.seq);
   stats.newest_seq = header.seq;
   stats.delay_s = std::chrono::duration<double>(now - header.capture_time).count();

@@ -61,6 +61,7 @@ struct ViewerStats {
   std::uint64_t dropped_sets = 0;       // dropped because it reads too slowly
   std::uint64_t dropped_audio = 0;      // packets, for the same reason
   double bytes_per_s = 0;               // over the last second or so
+  std::size_t small_sensors = 0;  // of which it gets the small rendition, as its line takes no more
 };
 
 struct RoomStats {

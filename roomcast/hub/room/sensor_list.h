@@ -50,6 +50,7 @@ struct RoomSensor {
   wire::pb::FrameDemand wanted = {};                       // what it should be told
   wire::pb::FrameDemand told = {};                         // on this connection
   KeyRequestPace key_pace = {};
+  KeyRequestPace small_key_pace = {};  // of its small rendition
   GoneSurfaces gone = {};
   SensorStats stats = {};  // the counters that change with its frames
 };

@@ -265,6 +265,10 @@ void RoomRegistry::on_key_needs(ConnectionId from, const std::vector<SensorId>& 
   if (RoomRunner* room = room_of(from)) room->request_keys(sensors);
 }
 
+void RoomRegistry::on_small_needs(ConnectionId from, const SmallNeeds& needs) {
+  if (RoomRunner* room = room_of(from)) room->need_small(from, needs);
+}
+
 void RoomRegistry::on_left(ConnectionId from, const net::CloseReason& reason) {
   const auto client = clients_.find(from);
   if (client == clients_.end()) return;  // the hub has disconnected it

@@ -123,6 +123,7 @@ class RoomRegistry final : public BackplaneEvents {
   void on_frames(std::span<IncomingFrame> together) override;
   void on_watched_elsewhere(const std::string& room, bool is_watched) override;
   void on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) override;
+  void on_small_needs(ConnectionId from, const SmallNeeds& needs) override;
   void on_left(ConnectionId from, const net::CloseReason& reason) override;
 
  private:

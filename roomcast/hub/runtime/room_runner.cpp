@@ -29,7 +29,8 @@ void RoomRunner::control(ConnectionId from, const wire::pb::Control& message) {
 
 void RoomRunner::frame(ConnectionId from, const wire::FrameHeader& header,
                        net::MessageBuffer message) {
-  if (context_.backplane != nullptr && !room_.fault_of(from, header, now())) {
+  // Other hubs get the full rendition only: they do not ask for the small one.
+  if (context_.backplane != nullptr && !header.small && !room_.fault_of(from, header, now())) {
     context_.backplane->frame(name(), header, message.payload());
   }
   apply(room_.frame(from, header, std::move(message), now()));
@@ -46,6 +47,10 @@ void RoomRunner::frames(std::span<IncomingFrame> together) {
 
 void RoomRunner::request_keys(const std::vector<SensorId>& sensors) {
   for (const SensorId sensor : sensors) apply(room_.key_needed(sensor, now()));
+}
+
+void RoomRunner::need_small(ConnectionId viewer, const SmallNeeds& needs) {
+  apply(room_.small_needed(viewer, needs, now()));
 }
 
 void RoomRunner::watch_elsewhere(bool is_watched) {

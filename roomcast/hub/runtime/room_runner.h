@@ -57,6 +57,8 @@ class RoomRunner : public std::enable_shared_from_this<RoomRunner> {
   void frames(std::span<IncomingFrame> together);
   /// Frames of these sensors were dropped for a viewer, or for viewers of another hub.
   void request_keys(const std::vector<SensorId>& sensors);
+  /// As Room::small_needed.
+  void need_small(ConnectionId viewer, const SmallNeeds& needs);
   void forget_sensor(const std::string& sensor);
 
   /// Whether other hubs have viewers for the sensors of this one.

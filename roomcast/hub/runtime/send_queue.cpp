@@ -2,6 +2,7 @@
 #include "roomcast/hub/runtime/send_queue.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "roomcast/wire/limits.h"
@@ -29,8 +30,38 @@ void SendQueue::push_audio(ViewerId speaker, net::FramedMessagePtr packet) {
 }
 
 void SendQueue::push_set(FrameSetPtr set) {
-  sets_.push_back({std::move(set), 0});
+  sets_.push_back({set, 0});
   drop_excess();
+  if (allows_small_) follow_line(*set);
+}
+
+/// Chooses renditions anew where the line takes less than is offered, or takes more.
+void SendQueue::follow_line(const FrameSet& offered) {
+  for (const SetFrame& frame : offered.frames) chain_of(frame.header.sensor).is_known = true;
+  const auto known = std::ranges::count_if(chains_, &Chain::is_known);
+  if (renditions_.offered(static_cast<std::size_t>(known))) choose_renditions();
+}
+
+/// Sensors of which the viewer needs layer 0 only come small before the others, and later ones
+/// before those that came first.
+void SendQueue::choose_renditions() {
+  std::vector<SensorId> by_importance;
+  for (std::uint16_t id = 0; id < chains_.size(); ++id) {
+    if (chains_[id].is_known) by_importance.push_back(SensorId{id});
+  }
+  std::ranges::stable_sort(by_importance, std::greater(),
+                           [this](SensorId sensor) { return detail_of(details_, sensor); });
+  const std::size_t whole =
+      by_importance.size() - std::min(by_importance.size(), renditions_.small_sensors());
+  small_needs_.wanted.assign(by_importance.begin() + static_cast<std::ptrdiff_t>(whole),
+                             by_importance.end());
+  for (std::uint16_t id = 0; id < chains_.size(); ++id) {
+    const bool wants_small =
+        std::ranges::find(small_needs_.wanted, SensorId{id}) != small_needs_.wanted.end();
+    if (std::exchange(chains_[id].wants_small, wants_small) != wants_small)
+      chains_[id].key_asked = false;
+  }
+  small_changed_ = true;
 }
 
 void SendQueue::drop_excess() {
@@ -39,11 +70,54 @@ void SendQueue::drop_excess() {
     for (const QueuedSet& queued : sets_) sum += size_in_sets(queued);
     return sum;
   };
-  while (waiting_sets() > static_cast<double>(wire::kMaxQueuedSets)) {
+  for (double waiting = waiting_sets(); waiting > static_cast<double>(wire::kMaxQueuedSets);
+       waiting = waiting_sets()) {
     if (drop_upper_layers_of_one()) continue;
-    sets_.erase(std::ranges::find_if(sets_, [](const auto& s) { return s.next_frame == 0; }));
-    ++dropped_sets_;
+    const QueuedSet& oldest = *oldest_waiting();
+    const bool superseded = is_superseded(oldest);
+    if (waiting <= static_cast<double>(kMaxQueuedBaseSets) && !superseded) return;
+    drop_oldest();
+    while (superseded && builds_on_dropped(*oldest_waiting())) drop_oldest();
   }
+}
+
+/// A set of which no byte is written; there is one.
+SendQueue::QueuedSets::iterator SendQueue::oldest_waiting() {
+  return std::ranges::find(sets_, std::size_t{0}, &QueuedSet::next_frame);
+}
+
+void SendQueue::drop_oldest() {
+  const auto oldest = oldest_waiting();
+  renditions_.dropped(size_in_sets(*oldest));
+  sets_.erase(oldest);
+  ++dropped_sets_;
+}
+
+/// It could not be decoded, and key frames wait behind it.
+bool SendQueue::builds_on_dropped(const QueuedSet& queued) const {
+  const auto& frames = queued.set->frames;
+  return is_superseded(queued) &&
+         std::ranges::none_of(frames, [](const SetFrame& frame) { return frame.header.key; });
+}
+
+/// Key frames of all its sensors wait behind it, so nothing needs it.
+bool SendQueue::is_superseded(const QueuedSet& queued) const {
+  const auto is_sent = [&](const wire::FrameHeader& header) {
+    const std::size_t sensor = header.sensor.value;
+    const bool is_small = sensor < chains_.size() && chains_[sensor].is_small;
+    return header.small == is_small && (header.layer == 0 || !queued.base_only);
+  };
+  const auto has_key_behind = [&](const SetFrame& frame) {
+    return std::any_of(&queued + 1, sets_.data() + sets_.size(), [&](const QueuedSet& later) {
+      return std::ranges::any_of(later.set->frames, [&](const SetFrame& other) {
+        return other.header.key && other.header.sensor == frame.header.sensor &&
+               other.header.small == frame.header.small;
+      });
+    });
+  };
+  return std::ranges::all_of(queued.set->frames, [&](const SetFrame& frame) {
+    return !is_sent(frame.header) || has_key_behind(frame);
+  });
 }
 
 /// Drops the upper-layer frames of the oldest waiting set that has any. False: no waiting set has
@@ -55,6 +129,7 @@ bool SendQueue::drop_upper_layers_of_one() {
   });
   if (victim == sets_.end()) return false;
   victim->base_only = true;
+  renditions_.dropped(1 - size_in_sets(*victim));
   if (base_frames(*victim->set) > 0) return true;
   sets_.erase(victim);
   ++dropped_sets_;
@@ -122,20 +197,42 @@ bool SendQueue::is_wanted(const wire::FrameHeader& header, bool base_only) const
 
 bool SendQueue::may_deliver(const wire::FrameHeader& header) {
   Chain& chain = chain_of(header.sensor);
+  chain.has_small = chain.has_small || header.small;
+  if (header.small != chain.is_small) {
+    if (header.small != chain.wants_small) return false;
+    if (!header.key) {
+      ask_for_key(chain, header);
+      return false;
+    }
+    chain.is_small = header.small;
+  }
   const bool decodable = header.key || (!chain.broken && header.base_seq == chain.base_seq);
   if (!decodable) {
     chain.broken = true;
-    if (!std::exchange(chain.key_asked, true)) key_needs_.push_back(header.sensor);
+    if (!is_about_to_switch(chain)) ask_for_key(chain, header);
     return false;
   }
   if (header.layer == 0) chain.base_seq = header.seq;
   chain.broken = false;
-  chain.key_asked = false;
+  if (chain.is_small == chain.wants_small) chain.key_asked = false;
   return true;
 }
 
+/// To a rendition that comes.
+bool SendQueue::is_about_to_switch(const Chain& chain) {
+  return chain.wants_small != chain.is_small && (chain.is_small || chain.has_small);
+}
+
+/// For a key frame of this frame's rendition, once per gap.
+void SendQueue::ask_for_key(Chain& chain, const wire::FrameHeader& header) {
+  if (std::exchange(chain.key_asked, true)) return;
+  (header.small ? small_needs_.keys : key_needs_).push_back(header.sensor);
+}
+
+/// What is wanted of it stays.
 void SendQueue::forget(SensorId sensor) {
-  chain_of(sensor) = {};
+  Chain& chain = chain_of(sensor);
+  chain = {.wants_small = chain.wants_small, .is_known = chain.is_known};
 }
 
 SendQueue::Chain& SendQueue::chain_of(SensorId sensor) {
@@ -145,6 +242,13 @@ SendQueue::Chain& SendQueue::chain_of(SensorId sensor) {
 
 std::vector<SensorId> SendQueue::take_key_needs() {
   return std::exchange(key_needs_, {});
+}
+
+std::optional<SmallNeeds> SendQueue::take_small_needs() {
+  if (!std::exchange(small_changed_, false) && small_needs_.keys.empty()) return std::nullopt;
+  SmallNeeds needs = small_needs_;
+  small_needs_.keys.clear();
+  return needs;
 }
 
 }  // namespace roomcast::hub

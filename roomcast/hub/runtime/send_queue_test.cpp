@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "roomcast/hub/runtime/send_queue_fixture.h"
 #include "roomcast/wire/limits.h"
 
 namespace roomcast::hub {
@@ -11,40 +12,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-constexpr SensorId kSensor{0}, kOtherSensor{1};
-
-net::FramedMessagePtr some_message() {
-  return net::frame_message(net::MessageBuffer(std::vector<std::uint8_t>{1, 2, 3}));
-}
-
-struct FrameSpec {
-  SensorId sensor;
-  std::uint32_t seq;
-  std::uint32_t base_seq;
-  std::uint8_t layer = 0;
-};
-
-FrameSetPtr frame_set_of(std::vector<FrameSpec> specs, net::FramedMessagePtr end = nullptr) {
-  auto set = std::make_shared<FrameSet>();
-  set->end = std::move(end);
-  for (const auto& spec : specs) {
-    wire::FrameHeader header{.key = spec.seq == spec.base_seq,
-                             .sensor = spec.sensor,
-                             .layer = spec.layer,
-                             .seq = spec.seq,
-                             .base_seq = spec.base_seq};
-    header.last = &spec == &specs.back();
-    set->frames.push_back({header, some_message()});
-  }
-  return set;
-}
-
-int drain(SendQueue& send_queue) {
-  int messages = 0;
-  while (send_queue.next() != nullptr) ++messages;
-  return messages;
-}
 
 TEST(SendQueue, control_messages_precede_frames) {
   SendQueue send_queue;
@@ -217,16 +184,39 @@ TEST(SendQueue, after_a_dropped_base_frame_delivery_waits_for_a_key_frame) {
   SendQueue send_queue;
   send_queue.push_set(frame_set_of({{kSensor, 0, 0}}));
   EXPECT_EQ(drain(send_queue), 1);
-  for (std::uint32_t seq = 1; seq <= 3; ++seq)
+  constexpr std::uint32_t kLast = SendQueue::kMaxQueuedBaseSets + 1;
+  for (std::uint32_t seq = 1; seq <= kLast; ++seq)
     send_queue.push_set(frame_set_of({{kSensor, seq, seq - 1}}));  // set 1 is dropped
   EXPECT_EQ(drain(send_queue), 0);
   EXPECT_THAT(send_queue.take_key_needs(), ElementsAre(kSensor));
-  send_queue.push_set(frame_set_of({{kSensor, 4, 3}}));
+  send_queue.push_set(frame_set_of({{kSensor, kLast + 1, kLast}}));
   EXPECT_EQ(drain(send_queue), 0);
   EXPECT_THAT(send_queue.take_key_needs(), IsEmpty()) << "a gap is reported once";
-  send_queue.push_set(frame_set_of({{kSensor, 5, 5}}));
-  send_queue.push_set(frame_set_of({{kSensor, 6, 5}}));
+  send_queue.push_set(frame_set_of({{kSensor, kLast + 2, kLast + 2}}));
+  send_queue.push_set(frame_set_of({{kSensor, kLast + 3, kLast + 2}}));
   EXPECT_EQ(drain(send_queue), 2);
+}
+
+TEST(SendQueue, what_builds_on_key_frames_waits_while_these_are_written) {
+  SendQueue send_queue;
+  send_queue.push_set(frame_set_of({{kSensor, 0, 0}, {kOtherSensor, 0, 0}}));
+  EXPECT_NE(send_queue.next(), nullptr);
+  for (std::uint32_t seq = 1; seq <= SendQueue::kMaxQueuedBaseSets; ++seq)
+    send_queue.push_set(frame_set_of({{kSensor, seq, seq - 1}, {kOtherSensor, seq, seq - 1}}));
+  EXPECT_EQ(drain(send_queue), 1 + 2 * static_cast<int>(SendQueue::kMaxQueuedBaseSets));
+  EXPECT_THAT(send_queue.take_key_needs(), IsEmpty());
+}
+
+TEST(SendQueue, what_waits_is_dropped_for_newer_key_frames) {
+  SendQueue send_queue;
+  send_queue.push_set(frame_set_of({{kSensor, 0, 0}}));
+  EXPECT_EQ(drain(send_queue), 1);
+  for (std::uint32_t seq = 1; seq <= 4; ++seq)
+    send_queue.push_set(frame_set_of({{kSensor, seq, seq - 1}}));
+  send_queue.push_set(frame_set_of({{kSensor, 5, 5}}));
+  EXPECT_EQ(send_queue.dropped_sets(), 4u) << "none could be decoded without the one before";
+  EXPECT_EQ(drain(send_queue), 1);
+  EXPECT_THAT(send_queue.take_key_needs(), IsEmpty());
 }
 
 TEST(SendQueue, a_dropped_upper_layer_frame_breaks_no_chain) {

@@ -38,6 +38,11 @@ std::uint16_t close_code_of(pb::ErrorCode code) {
   }
 }
 
+/// Who records or relays gets the full renditions, for others who have better lines.
+bool takes_small(const pb::Join& join) {
+  return join.has_viewer() && !join.viewer().records() && !join.viewer().relays();
+}
+
 }  // namespace
 
 const wire::SendingLimits& SessionLimits::of(Role role) const {
@@ -119,6 +124,7 @@ void Session::take_control(std::span<const std::uint8_t> message) {
   if (!control->has_join()) return hub_.on_control(id(), *control);
   has_joined_ = true;
   is_sensor_ = control->join().has_sensor();
+  if (takes_small(control->join())) send_queue_.allow_small();
   hub_.on_join({in_room_, connection_.peer_address(), connection_.peer()}, control->join());
 }
 
@@ -138,6 +144,7 @@ net::FramedMessagePtr Session::next_message() {
   auto message = send_queue_.next();
   if (auto sensors = send_queue_.take_key_needs(); !sensors.empty())
     hub_.on_key_needs(id(), sensors);
+  if (const auto needs = send_queue_.take_small_needs()) hub_.on_small_needs(id(), *needs);
   return message;
 }
 

@@ -14,6 +14,7 @@
 #include "roomcast/core/result.h"
 #include "roomcast/hub/access/rate_limit.h"
 #include "roomcast/hub/room/room_action.h"
+#include "roomcast/hub/room/small_needs.h"
 #include "roomcast/hub/runtime/connection.h"
 #include "roomcast/hub/runtime/send_queue.h"
 #include "roomcast/net/websocket_connection.h"
@@ -52,6 +53,9 @@ class SessionEvents {
                         net::MessageBuffer /*message*/) {}
   /// Frames of these sensors were dropped for this connection.
   virtual void on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) = 0;
+  /// What a viewer with a slow line needs of small renditions has changed. By default it is
+  /// ignored: backplanes have no viewers.
+  virtual void on_small_needs(ConnectionId /*from*/, const SmallNeeds& /*needs*/) {}
   /// The session is over; it is not used after this.
   virtual void on_left(ConnectionId from, const net::CloseReason& reason) = 0;
 };

@@ -178,6 +178,10 @@ void Shard::on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors
   asio::dispatch(loops_.room_io, [this, from, sensors] { room_.on_key_needs(from, sensors); });
 }
 
+void Shard::on_small_needs(ConnectionId from, const SmallNeeds& needs) {
+  asio::dispatch(loops_.room_io, [this, from, needs] { room_.on_small_needs(from, needs); });
+}
+
 void Shard::on_left(ConnectionId from, const net::CloseReason& reason) {
   const auto found = sessions_.find(from);
   if (!found->second->is_accepted()) --unjoined_;

@@ -88,6 +88,7 @@ class Shard final : public SessionEvents {
   void on_audio(ConnectionId from, const wire::AudioHeader& header,
                 net::MessageBuffer message) override;
   void on_key_needs(ConnectionId from, const std::vector<SensorId>& sensors) override;
+  void on_small_needs(ConnectionId from, const SmallNeeds& needs) override;
   void on_left(ConnectionId from, const net::CloseReason& reason) override;
 
  private:

@@ -164,6 +164,9 @@ void write_viewers(MetricsWriter& out) {
   out.of_viewers("viewer_dropped_audio_packets_total", "counter",
                  "Audio packets dropped because the viewer reads slowly.",
                  [](const ViewerStats& v) { return v.dropped_audio; });
+  out.of_viewers("viewer_small_sensors", "gauge",
+                 "Sensors of which the viewer gets the small rendition.",
+                 [](const ViewerStats& v) { return v.small_sensors; });
   out.of_viewers("viewer_shown_per_second", "gauge",
                  "Frame sets that the viewer reports to have shown per second.",
                  [](const ViewerStats& v) { return v.shown_fps; });

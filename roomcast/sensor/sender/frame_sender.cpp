@@ -89,6 +89,7 @@ Result<std::unique_ptr<FrameSender>> FrameSender::open(client::PublisherOptions 
                                                       codec, options.fps,
                                                       rate_control(codec, options)));
   sender->follows_rate_ = options.follows_rate;
+  sender->encoding_ = encoding;
   if (options.takes_views) {
     sender->watched_.emplace(
         options.calibration.depth,
@@ -112,7 +113,7 @@ Result<std::optional<client::Publisher::Published>> FrameSender::send(DepthView 
     if (const auto line = publisher_->uplink())
       rate_->follow_line(std::min(line->bytes_per_s, room_bytes_per_s()),
                          static_cast<double>(line->waiting_bytes));
-    plan = rate_->next_frame(capture_time, publisher_->control_bytes());
+    plan = rate_->next_frame(capture_time, publisher_->control_bytes() + all_small_bytes());
     if (!plan) return Sent();
   }
   const auto turn = publisher_->next_turn();
@@ -121,6 +122,7 @@ Result<std::optional<client::Publisher::Published>> FrameSender::send(DepthView 
   if (plan) encoder_->set_target(share_of(plan->target, turn->rate_share));
   if (auto status = register_color(depth_mm, color); !status) return status.error();
   if (auto status = follow_views(depth_mm); !status) return status.error();
+  if (auto status = send_small(*turn, depth_mm, capture_time); !status) return status.error();
   auto message = client::Publisher::begin_frame();
   const bool want_key = turn->want_key || (plan && plan->wants_key);
   const auto info =
@@ -139,11 +141,39 @@ Result<std::optional<client::Publisher::Published>> FrameSender::send(DepthView 
                    "smaller pictures"};
 }
 
+/// Sends the frame's small rendition ahead of it, while some viewer's line takes no more.
+Status FrameSender::send_small(const client::Publisher::Turn& turn, DepthView depth_mm,
+                               HostTime capture_time) {
+  if (!demand_.small || codec_.small_mbit() <= 0) {
+    small_bytes_ = all_small_bytes();
+    small_.reset();
+    return {};
+  }
+  if (!small_) {
+    auto small =
+        SmallRendition::create(encoding_, pace_of(codec_.small_mbit()).payload_bytes_per_s);
+    if (!small) return small.error();
+    small_ = std::move(*small);
+    small_->set_base_only(demand_.base_only);
+  }
+  auto message = client::Publisher::begin_frame();
+  const auto info = small_->encode(depth_mm, registered_.color, known_colors(), capture_time,
+                                   turn.want_small_key, message.appendable());
+  if (!info) return info.error();
+  if (*info) publisher_->publish_small(turn, **info, capture_time, std::move(message));
+  return {};
+}
+
+std::uint64_t FrameSender::all_small_bytes() const {
+  return small_bytes_ + (small_ ? small_->bytes() : 0);
+}
+
 void FrameSender::follow_demand() {
   const client::Publisher::Demand demand = publisher_->demand();
   const client::Publisher::Demand before = std::exchange(demand_, demand);
   if (demand.base_only != before.base_only) {
     encoder_->set_base_only(demand.base_only);
+    if (small_) small_->set_base_only(demand.base_only);
     since_base_ = 0;
   }
   if (follows_rate_ && demand.mbit != before.mbit) follow_room_rate();

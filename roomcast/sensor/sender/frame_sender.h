@@ -2,10 +2,12 @@
 // FrameSender: sends a sensor's frames to its hub: registers colour, encodes, publishes (the last
 // three steps of the paper's Algorithm 1). A frame for which the network has no room is skipped
 // before it is registered and encoded. It sends what the hub wants of it: its share of the room's
-// uplink, or layer 0 only, and in live mode only blocks that somebody sees. Threading: one thread
+// uplink, or layer 0 only, and in live mode only blocks that somebody sees, and a small rendition
+// beside for viewers whose lines carry no more. Threading: one thread
 // calls all methods.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -17,6 +19,7 @@
 #include "roomcast/geometry/hole_registration.h"
 #include "roomcast/sensor/sender/codec_choice.h"
 #include "roomcast/sensor/sender/rate_control.h"
+#include "roomcast/sensor/sender/small_rendition.h"
 #include "roomcast/sensor/sender/watched_blocks.h"
 
 namespace roomcast::sensor {
@@ -57,6 +60,9 @@ class FrameSender {
   [[nodiscard]] double room_bytes_per_s() const;
   [[nodiscard]] bool is_left_out();
   void follow_network(double rate_share);
+  [[nodiscard]] Status send_small(const client::Publisher::Turn& turn, DepthView depth_mm,
+                                  HostTime capture_time);
+  [[nodiscard]] std::uint64_t all_small_bytes() const;
   [[nodiscard]] Status register_color(DepthView depth_mm, ColorView color);
   [[nodiscard]] MaskView known_colors() const;
 
@@ -66,6 +72,9 @@ class FrameSender {
   const double fps_;
   bool follows_rate_ = false;                           // the room's
   std::optional<RateControl> rate_;                     // with a target rate
+  codec::FrameEncoderOptions encoding_;                 // of the full rendition, at first
+  std::unique_ptr<SmallRendition> small_;               // while somebody needs it
+  std::uint64_t small_bytes_ = 0;                       // of those before `small_`
   client::Publisher::Demand demand_;                    // that rate and encoder were set to
   std::optional<WatchedBlocks> watched_;                // in live mode
   std::shared_ptr<const wire::pb::WatchedFrom> views_;  // that `watched_` was set to

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 #include <limits>
 #include <optional>
 #include <random>
@@ -91,6 +92,58 @@ TEST_F(FrameSenderTest, with_a_target_rate_fewer_frames_are_sent_than_would_fit_
   const auto sent = (*sender)->publisher().stats().frames_sent;
   EXPECT_GT(sent, 0u);
   EXPECT_LT(sent, 8u) << bytes << " bytes in " << seconds.count() << " s";
+}
+
+TEST_F(FrameSenderTest, the_small_rendition_goes_ahead_of_the_full_one_while_it_is_wanted) {
+  auto sender = FrameSender::open(sensor_of(hub->url(), 320, 240), {});
+  ASSERT_TRUE(sender.ok()) << sender.error().message;
+  const auto tell = [&](bool small) {
+    wire::pb::Control demand;
+    demand.mutable_frame_demand()->set_wanted(true);
+    demand.mutable_frame_demand()->set_small(small);
+    boost::asio::post(network.io(), [this, demand] { hub->say(demand); });
+    const auto give_up = std::chrono::steady_clock::now() + 5s;
+    while ((*sender)->publisher().demand().small != small &&
+           std::chrono::steady_clock::now() < give_up)
+      std::this_thread::sleep_for(1ms);
+  };
+  const DepthImage depth(320, 240, 2'000);
+  const auto send_some = [&] {
+    for (int i = 0; i < 10; ++i) {
+      EXPECT_TRUE(send(**sender, depth).ok());
+      std::this_thread::sleep_for(40ms);
+    }
+  };
+  send_some();
+  tell(true);
+  send_some();
+  tell(false);
+  send_some();
+  const auto sent = (*sender)->publisher().stats().frames_sent;
+  std::vector<wire::FrameHeader> frames;
+  const auto full_frames = [&] {
+    return static_cast<std::uint64_t>(std::ranges::count(frames, false, &wire::FrameHeader::small));
+  };
+  for (int i = 0; i < 500 && full_frames() < sent; ++i) {
+    std::promise<std::vector<wire::FrameHeader>> heard;
+    boost::asio::post(network.io(), [&] { heard.set_value(hub->frames); });
+    frames = heard.get_future().get();
+    std::this_thread::sleep_for(10ms);
+  }
+  const auto is_small = [](const wire::FrameHeader& header) { return header.small; };
+  const auto first = std::ranges::find_if(frames, is_small);
+  ASSERT_NE(first, frames.end());
+  EXPECT_TRUE(first->key);
+  EXPECT_EQ(first->seq, 0u) << "it counts its own frames";
+  EXPECT_FALSE(frames.front().small);
+  EXPECT_FALSE(frames.back().small);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (!frames[i].small) continue;
+    ASSERT_LT(i + 1, frames.size());
+    EXPECT_FALSE(frames[i + 1].small);
+    const auto apart = frames[i + 1].capture_time - frames[i].capture_time;
+    EXPECT_LT(std::chrono::abs(apart), 5ms) << "the estimate of the hub's clock may have changed";
+  }
 }
 
 TEST_F(FrameSenderTest, it_keeps_to_the_rooms_rate_while_there_is_one) {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "roomcast/hub/runtime/rendition_choice.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace roomcast::hub {
+
+bool RenditionChoice::offered(std::size_t sensors) {
+  if (++offered_sets_ < kWindow) return false;
+  offered_sets_ = 0;
+  const double dropped = std::exchange(dropped_sets_, 0);
+  if (dropped > kTooMuch * kWindow) return give_way(sensors, dropped > kFarTooMuch * kWindow);
+  if (dropped > 0) {
+    calm_windows_ = 0;
+    return false;
+  }
+  return ++calm_windows_ >= patience_ && try_more();
+}
+
+/// Of all sensors, or of half of those that come whole, at least one, the small rendition is sent
+/// from now on.
+bool RenditionChoice::give_way(std::size_t sensors, bool is_far_too_much) {
+  calm_windows_ = 0;
+  if (std::exchange(has_tried_, false)) patience_ = std::min(2 * patience_, kMaxPatience);
+  if (small_sensors_ >= sensors) return false;
+  const std::size_t whole = sensors - small_sensors_;
+  small_sensors_ += is_far_too_much ? whole : (whole + 1) / 2;
+  return true;
+}
+
+bool RenditionChoice::try_more() {
+  calm_windows_ = 0;
+  if (small_sensors_ == 0) {
+    patience_ = kPatience;  // the line has long been good
+    return false;
+  }
+  has_tried_ = true;
+  --small_sensors_;
+  return true;
+}
+
+}  // namespace roomcast::hub

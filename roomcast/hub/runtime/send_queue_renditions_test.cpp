@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which rendition of a sensor a SendQueue gives to a slow line.
+#include <optional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "roomcast/hub/runtime/send_queue.h"
+#include "roomcast/hub/runtime/send_queue_fixture.h"
+
+namespace roomcast::hub {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// A room with one sensor that sends both renditions, each a key frame at first, to a viewer.
+class SlowLine : public testing::Test {
+ protected:
+  SlowLine() { send_queue.allow_small(); }
+
+  FrameSetPtr offer(bool key = false) {
+    const std::uint32_t base = key || seq == 0 ? seq : seq - 1;
+    auto set = frame_set_of({{kSensor, seq, base, 0, true}, {kSensor, seq, base}}, some_message());
+    ++seq;
+    send_queue.push_set(set);
+    return set;
+  }
+
+  /// Offers sets that are not read until small needs come.
+  SmallNeeds clog() {
+    for (int i = 0; i < 3 * RenditionChoice::kWindow; ++i) {
+      offer();
+      if (auto needs = send_queue.take_small_needs()) return *needs;
+    }
+    return {};
+  }
+
+  SendQueue send_queue;
+  std::uint32_t seq = 0;
+};
+
+TEST_F(SlowLine, without_loss_the_full_rendition_comes) {
+  for (int i = 0; i < 100; ++i) {
+    const auto set = offer();
+    EXPECT_EQ(send_queue.next(), set->frames[1].message);
+    EXPECT_EQ(send_queue.next(), nullptr);
+  }
+  EXPECT_FALSE(send_queue.take_small_needs());
+}
+
+TEST_F(SlowLine, the_small_rendition_comes_from_its_next_key_frame_on) {
+  EXPECT_THAT(clog().wanted, ElementsAre(kSensor));
+  drain(send_queue);
+  EXPECT_THAT(send_queue.take_key_needs(), IsEmpty()) << "the small one is about to come";
+  const auto needs = send_queue.take_small_needs();
+  ASSERT_TRUE(needs.has_value());
+  EXPECT_THAT(needs->keys, ElementsAre(kSensor));
+  auto set = offer(true);
+  EXPECT_EQ(send_queue.next(), set->frames[0].message);
+  EXPECT_EQ(send_queue.next(), set->end) << "the last frame is left out";
+  set = offer();
+  EXPECT_EQ(send_queue.next(), set->frames[0].message);
+  EXPECT_EQ(send_queue.next(), set->end);
+  EXPECT_EQ(send_queue.next(), nullptr);
+}
+
+TEST_F(SlowLine, the_full_rendition_comes_again_once_the_line_is_good) {
+  clog();
+  offer(true);
+  drain(send_queue);
+  std::optional<SmallNeeds> needs;
+  for (int i = 0; i < 2000 && !(needs && needs->wanted.empty()); ++i) {
+    offer();
+    drain(send_queue);
+    if (auto news = send_queue.take_small_needs()) needs = news;
+  }
+  ASSERT_TRUE(needs.has_value());
+  EXPECT_THAT(needs->wanted, IsEmpty());
+  auto set = offer();
+  EXPECT_EQ(send_queue.next(), set->frames[0].message) << "until a key frame of the full one comes";
+  drain(send_queue);
+  EXPECT_THAT(send_queue.take_key_needs(), ElementsAre(kSensor));
+  set = offer(true);
+  EXPECT_EQ(send_queue.next(), set->frames[0].message);
+  EXPECT_EQ(send_queue.next(), set->frames[1].message);
+  drain(send_queue);
+  set = offer();
+  EXPECT_EQ(send_queue.next(), set->frames[1].message);
+}
+
+TEST_F(SlowLine, a_sensor_without_a_small_rendition_goes_on_with_its_next_key_frame) {
+  for (std::uint32_t i = 0; i < 100; ++i)
+    send_queue.push_set(frame_set_of({{kSensor, i, i == 0 ? 0 : i - 1}}));
+  drain(send_queue);
+  EXPECT_THAT(send_queue.take_key_needs(), ElementsAre(kSensor));
+  send_queue.push_set(frame_set_of({{kSensor, 200, 200}}));
+  EXPECT_EQ(drain(send_queue), 1);
+}
+
+TEST_F(SlowLine, who_records_gets_the_full_rendition_only) {
+  SendQueue recorder;
+  for (std::uint32_t i = 0; i < 100; ++i)
+    recorder.push_set(frame_set_of({{kSensor, i, i, 0, true}, {kSensor, i, i}}, some_message()));
+  EXPECT_FALSE(recorder.take_small_needs());
+  const auto set = frame_set_of({{kSensor, 100, 100, 0, true}, {kSensor, 100, 100}});
+  drain(recorder);
+  recorder.push_set(set);
+  EXPECT_EQ(recorder.next(), set->frames[1].message);
+  EXPECT_EQ(recorder.next(), nullptr);
+}
+
+TEST_F(SlowLine, what_the_viewer_needs_less_comes_small_first) {
+  send_queue.set_details({Detail::kBaseOnly, Detail::kAll, Detail::kBaseOnly, Detail::kAll});
+  std::optional<SmallNeeds> needs;
+  for (std::uint32_t i = 0; i < 64 && !needs; ++i) {
+    send_queue.push_set(frame_set_of(
+        {{SensorId{0}, i, i}, {SensorId{1}, i, i}, {SensorId{2}, i, i}, {SensorId{3}, i, i}}));
+    for (int frame = 0; frame < 4 && i % 3 != 0; ++frame) (void)send_queue.next();
+    needs = send_queue.take_small_needs();
+  }
+  ASSERT_TRUE(needs.has_value());
+  EXPECT_THAT(needs->wanted, testing::UnorderedElementsAre(SensorId{0}, SensorId{2}));
+}
+
+}  // namespace
+}  // namespace roomcast::hub
