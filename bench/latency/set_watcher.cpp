@@ -43,6 +43,7 @@ class SetWatcher::Link final : public client::HubLinkEvents {
         now.time_since_epoch() - header->capture_time.time_since_epoch();
     const std::lock_guard lock(mutex_);
     arrivals_.ages_ms.push_back(age.count());
+    if (header->small) ++arrivals_.small_frames;
     arrivals_.times_ms[header->sensor.value].push_back(
         std::chrono::duration<double, std::milli>(now.time_since_epoch()).count());
     ++arrivals_.sets[header->set.value];

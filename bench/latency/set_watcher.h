@@ -4,6 +4,7 @@
 // machine's clock, so ages and clock errors are exact. Threading: as TimedSensor.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -14,6 +15,7 @@ namespace roomcast::bench {
 
 struct Arrivals {
   std::vector<double> ages_ms;                            // of all frames
+  std::size_t small_frames = 0;                           // of these, those of small renditions
   std::map<std::uint16_t, std::vector<double>> times_ms;  // by sensor, since the clock's beginning
   std::map<std::uint64_t, int> sets;    // number of frames that arrived, by set id
   std::vector<double> clock_errors_us;  // of the estimate, after each exchange

@@ -16,6 +16,9 @@
 //   loss       how long pictures stand still on a line that loses packets, stands still, or becomes
 //              half as fast: the sensors' or the viewer's; needs root
 //
+//   viewer     what a viewer with a slow line gets, with and without the sensors' small renditions;
+//              needs root
+//
 //   looking    bytes that a viewer gets who walks along a path, relative to one who gets all
 //   frames,
 //              and what he loses by it: PSNR to the true view, and pictures that come late; and
@@ -41,7 +44,7 @@ struct LineBenchOptions {
   std::string scene = "studio";  // of simulated sensors
   int sensors = 3;
   std::chrono::milliseconds duration{10'000};            // of each measurement
-  std::vector<double> target_mbit = {0.5, 1, 2, 5, 10};  // of all sensors together
+  std::vector<double> target_mbit = {0.5, 1, 2, 5, 10};  // of all sensors; of a viewer's line
   std::vector<double> link_mbit = {8, 2, 8};             // rates of the link, one after the other
   std::chrono::milliseconds rate_warm_up{15'000};        // bundles and first key frames are sent
   std::filesystem::path viewer_path = {};  // case looking; empty: a walk round the room
@@ -81,6 +84,11 @@ struct LineReport {
 [[nodiscard]] Status measure_loss(const LineBenchOptions& options,
                                   const std::function<void(const std::string&)>& progress,
                                   LineReport& report);
+
+/// The case `viewer`; adds its figures. kUnsupported: not root, or no TUN devices.
+[[nodiscard]] Status measure_viewer(const LineBenchOptions& options,
+                                    const std::function<void(const std::string&)>& progress,
+                                    LineReport& report);
 
 /// The case `looking`; adds its figures.
 [[nodiscard]] Status measure_looking(const LineBenchOptions& options,

@@ -43,6 +43,7 @@ RateOutcome RateRoom::measure(std::chrono::milliseconds duration) {
   RateOutcome outcome = read_line(duration);
   Arrivals arrivals = watcher_->take();
   outcome.ages_ms = std::move(arrivals.ages_ms);
+  outcome.small_frames = arrivals.small_frames;
   for (const auto& [sensor, times_ms] : arrivals.times_ms) {
     for (std::size_t i = 1; i < times_ms.size(); ++i)
       outcome.longest_gap_ms = std::max(outcome.longest_gap_ms, times_ms[i] - times_ms[i - 1]);

@@ -21,7 +21,8 @@ namespace roomcast::bench {
 struct RateOutcome {
   LineRate line;
   std::vector<double> ages_ms;
-  double longest_gap_ms = 0;  // between two frames of a sensor on arrival
+  std::size_t small_frames = 0;  // of the small rendition
+  double longest_gap_ms = 0;     // between two frames of a sensor on arrival
   double seconds = 0;
 };
 
