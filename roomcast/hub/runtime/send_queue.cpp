@@ -72,41 +72,41 @@ void SendQueue::drop_excess() {
   };
   for (double waiting = waiting_sets(); waiting > static_cast<double>(wire::kMaxQueuedSets);
        waiting = waiting_sets()) {
-    if (drop_upper_layers_of_one()) continue;
-    const QueuedSet& oldest = *oldest_waiting();
-    const bool superseded = is_superseded(oldest);
-    if (waiting <= static_cast<double>(kMaxQueuedBaseSets) && !superseded) return;
-    drop_oldest();
-    while (superseded && builds_on_dropped(*oldest_waiting())) drop_oldest();
+    if (drop_upper_layers_of_one() || drop_superseded()) continue;
+    const auto oldest = std::ranges::find(sets_, std::size_t{0}, &QueuedSet::next_frame);
+    if (waiting <= static_cast<double>(kMaxQueuedBaseSets) && !is_superseded(*oldest)) return;
+    count_dropped(*oldest);
+    sets_.erase(oldest);
   }
 }
 
-/// A set of which no byte is written; there is one.
-SendQueue::QueuedSets::iterator SendQueue::oldest_waiting() {
-  return std::ranges::find(sets_, std::size_t{0}, &QueuedSet::next_frame);
-}
-
-void SendQueue::drop_oldest() {
-  const auto oldest = oldest_waiting();
-  renditions_.dropped(size_in_sets(*oldest));
-  sets_.erase(oldest);
+void SendQueue::count_dropped(const QueuedSet& queued) {
+  renditions_.dropped(size_in_sets(queued));
   ++dropped_sets_;
 }
 
-/// It could not be decoded, and key frames wait behind it.
-bool SendQueue::builds_on_dropped(const QueuedSet& queued) const {
-  const auto& frames = queued.set->frames;
-  return is_superseded(queued) &&
-         std::ranges::none_of(frames, [](const SetFrame& frame) { return frame.header.key; });
+/// Drops the waiting sets that would not be sent, and those that key frames behind them replace and
+/// that have no key frames themselves. False: there are none.
+bool SendQueue::drop_superseded() {
+  bool has_dropped = false;
+  for (std::size_t i = sets_.size(); i-- > 0;) {
+    const QueuedSet& queued = sets_[i];
+    const auto is_sent = [&](const SetFrame& frame) { return may_be_sent(frame.header, queued); };
+    const auto is_sent_key = [&](const SetFrame& frame) {
+      return frame.header.key && is_sent(frame);
+    };
+    const auto& frames = queued.set->frames;
+    if (queued.next_frame > 0 || !is_superseded(queued) || std::ranges::any_of(frames, is_sent_key))
+      continue;
+    if (std::ranges::any_of(frames, is_sent)) count_dropped(queued);
+    sets_.erase(sets_.begin() + static_cast<std::ptrdiff_t>(i));
+    has_dropped = true;
+  }
+  return has_dropped;
 }
 
-/// Key frames of all its sensors wait behind it, so nothing needs it.
+/// Key frames behind it replace all that would be sent of it.
 bool SendQueue::is_superseded(const QueuedSet& queued) const {
-  const auto is_sent = [&](const wire::FrameHeader& header) {
-    const std::size_t sensor = header.sensor.value;
-    const bool is_small = sensor < chains_.size() && chains_[sensor].is_small;
-    return header.small == is_small && (header.layer == 0 || !queued.base_only);
-  };
   const auto has_key_behind = [&](const SetFrame& frame) {
     return std::any_of(&queued + 1, sets_.data() + sets_.size(), [&](const QueuedSet& later) {
       return std::ranges::any_of(later.set->frames, [&](const SetFrame& other) {
@@ -116,8 +116,17 @@ bool SendQueue::is_superseded(const QueuedSet& queued) const {
     });
   };
   return std::ranges::all_of(queued.set->frames, [&](const SetFrame& frame) {
-    return !is_sent(frame.header) || has_key_behind(frame);
+    return !may_be_sent(frame.header, queued) || has_key_behind(frame);
   });
+}
+
+/// False: the receiver does not need it, or gets the other rendition.
+bool SendQueue::may_be_sent(const wire::FrameHeader& header, const QueuedSet& queued) const {
+  if (!is_wanted(header, queued.base_only)) return false;
+  const std::size_t sensor = header.sensor.value;
+  if (sensor >= chains_.size()) return !header.small;
+  const Chain& chain = chains_[sensor];
+  return header.small == chain.is_small || header.small == chain.wants_small;
 }
 
 /// Drops the upper-layer frames of the oldest waiting set that has any. False: no waiting set has

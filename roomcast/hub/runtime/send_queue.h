@@ -66,7 +66,6 @@ class SendQueue {
     bool base_only = false;  // without its upper layers
     bool must_end = false;   // frames were delivered, and not the last one
   };
-  using QueuedSets = boost::container::small_vector<QueuedSet, 4>;
   struct QueuedAudio {
     ViewerId speaker;
     net::FramedMessagePtr packet;
@@ -87,10 +86,10 @@ class SendQueue {
   void follow_line(const FrameSet& offered);
   void choose_renditions();
   void ask_for_key(Chain& chain, const wire::FrameHeader& header);
-  [[nodiscard]] QueuedSets::iterator oldest_waiting();
-  void drop_oldest();
+  void count_dropped(const QueuedSet& queued);
+  bool drop_superseded();
   [[nodiscard]] bool is_superseded(const QueuedSet& queued) const;
-  [[nodiscard]] bool builds_on_dropped(const QueuedSet& queued) const;
+  [[nodiscard]] bool may_be_sent(const wire::FrameHeader& header, const QueuedSet& queued) const;
   [[nodiscard]] static bool is_about_to_switch(const Chain& chain);
 
   void drop_excess();
@@ -102,7 +101,7 @@ class SendQueue {
   // A hub has hundreds of queues and visits all of them for every set, so short lists are stored in
   // place.
   boost::container::small_vector<net::FramedMessagePtr, 2> control_;
-  QueuedSets sets_;
+  boost::container::small_vector<QueuedSet, 4> sets_;
   std::vector<QueuedAudio> audio_;
   boost::container::small_vector<Chain, 4> chains_;  // by sensor id
   std::vector<SensorId> key_needs_;

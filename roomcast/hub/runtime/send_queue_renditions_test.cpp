@@ -89,6 +89,20 @@ TEST_F(SlowLine, the_full_rendition_comes_again_once_the_line_is_good) {
   EXPECT_EQ(send_queue.next(), set->frames[1].message);
 }
 
+TEST_F(SlowLine, sets_without_a_small_frame_are_dropped_first_and_the_rest_goes_on) {
+  clog();
+  offer(true);
+  drain(send_queue);
+  const auto begun = offer();
+  const auto key = frame_set_of({{kOtherSensor, 0, 0}}, some_message());
+  for (std::uint32_t i = 0; i < 10; ++i)
+    send_queue.push_set(frame_set_of({{kSensor, seq + i, seq + i - 1}}, some_message()));
+  EXPECT_EQ(send_queue.next(), begun->frames[0].message);
+  send_queue.push_set(key);
+  EXPECT_EQ(send_queue.next(), begun->end);
+  EXPECT_EQ(send_queue.next(), key->frames[0].message);
+}
+
 TEST_F(SlowLine, a_sensor_without_a_small_rendition_goes_on_with_its_next_key_frame) {
   for (std::uint32_t i = 0; i < 100; ++i)
     send_queue.push_set(frame_set_of({{kSensor, i, i == 0 ? 0 : i - 1}}));
