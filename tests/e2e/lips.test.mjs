@@ -11,8 +11,7 @@ import { oneSensorRoom } from './one_sensor_room.mjs';
 import { slow, stateOf, until, untilAllShown } from './waiting.mjs';
 
 const room = oneSensorRoom('lips');
-const chirps = 10; // a busy computer misses some, at either end
-const enough = 3;
+const chirps = 6;
 
 test('what is said is heard about when the frame set of the same instant is seen', slow, async (t) => {
   const sound = join(room.data, 'chirp.wav');
@@ -47,7 +46,7 @@ test('what is said is heard about when the frame set of the same instant is seen
     const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
     const [sound_ms, picture_ms] = [median(sounds_ms), median(pictures_ms)];
     t.diagnostic(`mouth to ear ${sound_ms.toFixed(0)} ms, capture to picture ${picture_ms.toFixed(0)} ms: sound ${(sound_ms - picture_ms).toFixed(0)} ms after the picture`);
-    assert.ok(sounds_ms.length >= enough && pictures_ms.length > 5, `${sounds_ms.length} chirps, ${pictures_ms.length} readings`);
+    assert.ok(sounds_ms.length >= chirps / 2 && pictures_ms.length > 5, `${sounds_ms.length} chirps, ${pictures_ms.length} readings`);
     assert.ok(Math.abs(sound_ms - picture_ms) < 1000, 'both are of the same second');
   } finally {
     await browser.end();
