@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measures what a viewer with a slow line gets of sensors that have a good one: with the full
 // renditions only, and with small ones where his line takes no more.
+#include <algorithm>
 #include <thread>
 
 #include <fmt/format.h>

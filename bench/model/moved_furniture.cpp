@@ -30,15 +30,16 @@ using Seconds = std::chrono::duration<double>;
 
 constexpr std::size_t kModelled = 200;      // points by which the cabinet is in the model
 constexpr std::size_t kForgottenPart = 20;  // less than this part of them is left
-/// Points this far within its faces, and this high, are of nothing else.
-constexpr float kInside_m = 0.08F, kAboveFloor_m = 0.2F;
+/// The model has the cabinet's faces up to so far outside them; nothing else stands so near, above
+/// this height.
+constexpr float kBeside_m = 0.08F, kAboveFloor_m = 0.2F;
 constexpr auto kLook = 100ms;
 constexpr double kViewHalfAngle_rad = 0.8;
 
 /// The model as a viewer has it.
 class KeptModel {
  public:
-  /// What the hub would answer to a request now.
+  /// Takes the changes that the hub would send at this moment.
   Status take(const recording::RoomModeler& modeler) {
     const auto bytes = modeler.changes_after(version_);
     if (!bytes) return {};
@@ -71,11 +72,11 @@ class KeptModel {
   std::uint64_t version_ = 0;
 };
 
-/// The cabinet and its faces, without what stands beside it.
+/// The space of the cabinet and its faces.
 Eigen::AlignedBox3f search_box(Eigen::AlignedBox3f box_m) {
   box_m.min().y() = kAboveFloor_m;
-  box_m.min() -= Eigen::Vector3f(kInside_m, 0, kInside_m);
-  box_m.max() += Eigen::Vector3f::Constant(kInside_m);
+  box_m.min() -= Eigen::Vector3f(kBeside_m, 0, kBeside_m);
+  box_m.max() += Eigen::Vector3f::Constant(kBeside_m);
   return box_m;
 }
 

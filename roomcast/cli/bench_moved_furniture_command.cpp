@@ -44,6 +44,7 @@ void add_moved_furniture_bench(CLI::App& bench, Command& chosen) {
       ->capture_default_str();
   command->add_flag("--looking", options->looks,
                     "The viewer says where it looks, so that key frames are rare");
+  command->footer("Example:\n  roomcast bench moved-furniture --every 60 --moves 1 --sensors 2");
   command->callback([options, &chosen] {
     chosen = [options] { return finish("bench moved-furniture", run_moves(*options)); };
   });

@@ -21,8 +21,9 @@ struct ModelSource {
   std::string token = {};  // that of the viewer; empty: for rooms that are open to all
 };
 
-/// What is newer than `version` (0: all). Nothing: there is nothing newer, or no model. Errors of
-/// net::fetch and model::decode_model; kNotAllowed or kNotFound with the hub's sentence.
+/// Fetches the pieces that are newer than `version` (0: all). Nothing: the hub has nothing newer,
+/// or no model. Errors of net::fetch and model::decode_model; kNotFound for an unknown room,
+/// kUnavailable for any other refusal.
 [[nodiscard]] Result<std::optional<model::DecodedModel>> fetch_model(const ModelSource& source,
                                                                      const std::string& room,
                                                                      std::uint64_t version,
@@ -35,7 +36,7 @@ class ModelFollower {
 
   /// Begins with this room, once it is known; later calls have no effect.
   void follow(const std::string& room);
-  /// What has come since the last call, in order.
+  /// Returns the answers that came since the last call, in order.
   [[nodiscard]] std::vector<model::DecodedModel> take();
 
  private:

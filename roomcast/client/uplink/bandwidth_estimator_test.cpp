@@ -54,7 +54,7 @@ class BandwidthEstimatorTest : public testing::Test {
     lowest = std::min(lowest, estimator.bytes_per_s());
   }
 
-  /// Of what is in the queue; it is sent again.
+  /// The line loses so many bytes of its queue; the sender sends them again.
   void lose(double bytes) {
     if (bytes <= 0) return;
     queued_ -= bytes;

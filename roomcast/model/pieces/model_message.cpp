@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "roomcast/core/little_endian.h"
+
 namespace roomcast::model {
 namespace {
 
@@ -17,13 +19,8 @@ Error not_a_model() {
 }
 
 void append_u32(std::uint32_t value, std::vector<std::uint8_t>& out) {
-  for (unsigned i = 0; i < 4; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
-}
-
-std::uint32_t u32_at(std::span<const std::uint8_t> bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (unsigned i = 0; i < 4; ++i) value |= static_cast<std::uint32_t>(bytes[at + i]) << (8 * i);
-  return value;
+  out.resize(out.size() + sizeof(value));
+  write_u32(out.data() + out.size() - sizeof(value), value);
 }
 
 }  // namespace
@@ -51,15 +48,15 @@ Result<ModelMessage> read_model_message(std::span<const std::uint8_t> bytes) {
     return Error{ErrorCode::kUnsupported, "this model is of another version of roomcast"};
   ModelMessage message;
   message.is_whole = (bytes[4] & 1U) != 0;
-  message.version = u32_at(bytes, 8) | (static_cast<std::uint64_t>(u32_at(bytes, 12)) << 32U);
-  const std::uint32_t count = u32_at(bytes, 16);
+  message.version = read_u64(&bytes[8]);
+  const std::uint32_t count = read_u32(&bytes[16]);
   std::size_t at = kHeaderBytes;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (bytes.size() - at < kPieceHeaderBytes) return not_a_model();
     const auto axis = [&](std::size_t n) {
-      return static_cast<std::int32_t>(u32_at(bytes, at + 4 * n));
+      return static_cast<std::int32_t>(read_u32(&bytes[at + 4 * n]));
     };
-    const std::size_t length = u32_at(bytes, at + 12);
+    const std::size_t length = read_u32(&bytes[at + 12]);
     const GridPlace place{axis(0), axis(1), axis(2)};
     at += kPieceHeaderBytes;
     if (bytes.size() - at < length) return not_a_model();
