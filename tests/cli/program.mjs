@@ -16,6 +16,8 @@ export const binary = process.env.ROOMCAST_BIN ?? join(sourceDir, 'build/dev/bin
 /** Default time limit of a command. The program is killed when it exceeds the limit, and the test fails. */
 const timeLimitMs = 30_000;
 
+const running = new Set();
+
 /** A running roomcast; `stdout` and `stderr` grow while it runs, `ended` resolves to its exit code (or signal). */
 export class Program {
   stdout = '';
@@ -30,7 +32,11 @@ export class Program {
     this.child.stderr.setEncoding('utf8').on('data', (text) => (this.stderr += text));
     this.ended = once(this.child, 'close').then(([code, signal]) => code ?? signal);
     const limit = setTimeout(() => this.child.kill('SIGKILL'), limitMs);
-    this.ended.then(() => clearTimeout(limit));
+    running.add(this);
+    this.ended.then(() => {
+      clearTimeout(limit);
+      running.delete(this);
+    });
   }
 
   /** Resolves once the program's output matches; rejects if the program ends before. */
@@ -90,10 +96,17 @@ export async function startHubThrough(t, through, ...options) {
   return { program: hub, port, url: `ws://127.0.0.1:${port}` };
 }
 
-/** A folder that is deleted when the test `t` ends. */
+/**
+ * A folder that is deleted when the test `t` ends. Hooks run in the order in which they were added, so programs that
+ * were started after the folder was made, and may still write into it, are ended here.
+ */
 export function scratchFolder(t) {
   const folder = mkdtempSync(join(tmpdir(), 'roomcast-cli-'));
-  t.after(() => rmSync(folder, { recursive: true, force: true }));
+  t.after(async () => {
+    const users = [...running].filter(({ args }) => args.some((argument) => argument.includes(folder)));
+    await Promise.all(users.map((program) => program.stop('SIGKILL')));
+    rmSync(folder, { recursive: true, force: true });
+  });
   return folder;
 }
 

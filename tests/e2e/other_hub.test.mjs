@@ -18,7 +18,6 @@ const slowWithNats = { ...slow, skip: natsIsMissing };
 async function startTwins(t) {
   const node = await startNode(t);
   const folders = [0, 1].map(() => mkdtempSync(join(tmpdir(), 'roomcast-e2e-')));
-  t.after(() => folders.forEach((folder) => rmSync(folder, { recursive: true, force: true })));
   const token = async (role) => (await run('token', '--data', folders[0], '--room', 'room', '--role', role))[0];
   const tokens = { viewer: await token('viewer'), sensor: await token('sensor') };
   copyFileSync(join(folders[0], 'hub.secret'), join(folders[1], 'hub.secret'));
@@ -30,6 +29,7 @@ async function startTwins(t) {
     t.after(() => hub.end('SIGKILL'));
     hubs.push(hub);
   }
+  t.after(() => folders.forEach((folder) => rmSync(folder, { recursive: true, force: true })));
   return { hubs, tokens };
 }
 
