@@ -41,6 +41,7 @@ struct RoomSensor {
   /// The hub sends no frames, or had sent none before and the first one is still to come, because
   /// this viewer cannot see what the sensor shows. The picture is old.
   bool is_paused = false;
+  bool is_small = false;  // the picture is of its small rendition: this viewer's line takes no more
   bool speaking = false;  // its microphone is heard; these two are known to viewers that hear
   bool muted = false;     // its microphone, by an admin
   std::uint64_t frames_received = 0;

@@ -187,7 +187,7 @@ Result<RoomState::FrameOutcome> RoomState::frame(std::span<const std::uint8_t> m
   room_.bytes_received += message.size();
   sensor->bytes_received += message.size();
   SensorDecoding& decoding = decoding_[header->sensor];
-  sensor->frames_missed += decoding.count_gap(header->seq);
+  sensor->frames_missed += decoding.count_gap(*header);
   if (!decoding.chain.may_decode(*header)) {
     ++sensor->frames_missed;
     return FrameOutcome::kNeedsKey;
@@ -215,6 +215,7 @@ Result<RoomState::FrameOutcome> RoomState::frame(std::span<const std::uint8_t> m
   ++sensor->frames_received;
   sensor->picture = std::move(picture);
   sensor->is_paused = false;
+  sensor->is_small = header->small;
   room_.newest_set = std::max(room_.newest_set, header->set);
   if (!header->last) return FrameOutcome::kDecoded;
   complete_set_ = header->set;
@@ -223,10 +224,12 @@ Result<RoomState::FrameOutcome> RoomState::frame(std::span<const std::uint8_t> m
 }
 
 /// The number of frames missed before this one. Sensors may start numbering anywhere, also after a
-/// restart.
-std::uint64_t RoomState::SensorDecoding::count_gap(std::uint32_t seq) {
-  const std::uint32_t step = newest_seq ? seq - *newest_seq : 1;
-  newest_seq = seq;
+/// restart, and number each rendition by itself.
+std::uint64_t RoomState::SensorDecoding::count_gap(const wire::FrameHeader& header) {
+  const bool goes_on = newest_seq && is_small == header.small;
+  const std::uint32_t step = goes_on ? header.seq - *newest_seq : 1;
+  newest_seq = header.seq;
+  is_small = header.small;
   if (has_gaps) return 0;
   return step > 0 && step <= kLongestGap ? step - 1 : 0;
 }

@@ -51,9 +51,10 @@ class RoomState {
  private:
   static constexpr std::uint32_t kLongestGap = 100'000;  // more: the numbering restarted
   struct SensorDecoding {
-    std::uint64_t count_gap(std::uint32_t seq);
+    std::uint64_t count_gap(const wire::FrameHeader& header);
 
     std::optional<std::uint32_t> newest_seq;
+    bool is_small = false;  // the newest frame
     bool has_gaps = false;  // the hub leaves frames out
     std::unique_ptr<codec::FrameDecoder> decoder;
     FrameChain chain;

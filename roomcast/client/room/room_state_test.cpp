@@ -156,6 +156,20 @@ TEST_F(RoomStateTest, frames_that_did_not_come_are_counted) {
   EXPECT_EQ(room->sensors[0].bytes_received, room->bytes_received);
 }
 
+TEST_F(RoomStateTest, renditions_are_numbered_each_by_itself) {
+  const auto comes = [&](std::uint32_t seq, bool is_small) {
+    wire::FrameHeader header = header_of(0, seq);
+    header.small = is_small;
+    EXPECT_TRUE(state.frame(sensor.message(header, depth_picture(0))).ok());
+    EXPECT_EQ(state.snapshot()->sensors[0].is_small, is_small);
+  };
+  comes(10, false);
+  comes(500, true);
+  comes(502, true);
+  comes(900, false);
+  EXPECT_EQ(state.snapshot()->sensors[0].frames_missed, 1U) << "501";
+}
+
 TEST_F(RoomStateTest, a_picture_says_when_it_came) {
   clock.advance(std::chrono::seconds(5));
   ASSERT_TRUE(state.frame(sensor.message(header_of(0, 0), depth_picture(0))).ok());

@@ -146,6 +146,10 @@ void draw_sensor(const client::RoomSensor& sensor, const SensorFigures& figures,
                        figures.megabytes_per_s, static_cast<unsigned long long>(figures.missed));
     ImGui::SameLine();
     if (figures.age_ms) ImGui::TextColored(kQuiet, "%.0f ms old", *figures.age_ms);
+    if (sensor.is_small) {
+      ImGui::SameLine();
+      ImGui::TextColored(kYellow, "coarse: your line takes no more");
+    }
     ImGui::NewLine();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
   }

@@ -17,6 +17,7 @@ const traffic: SensorTraffic = {
   lastSeq: 8,
   lastSetId: 8n,
   lastCapture_ms: 10_000,
+  isSmall: false,
   problem: '',
 };
 
@@ -40,6 +41,12 @@ describe('the list of problems', () => {
     expect(
       sentences(known({ broken: 'No WebGL.', connection: { ...joined, phase: 'waiting', sentence: 'x' } })),
     ).toEqual(['No WebGL.']);
+  });
+
+  test('says that a slow connection makes pictures coarser, once for all sensors', () => {
+    const small = [0, 1].map((sensor) => ({ ...traffic, sensor, isSmall: true }));
+    const both = [s0, { ...s0, id: 1, name: 's1' }];
+    expect(sentences(known({}, both, small))).toEqual([expect.stringMatching(/connection is slow/)]);
   });
 
   test('has a hub that is gone, with the time to the next try', () => {

@@ -84,7 +84,9 @@ function sensorProblems(
     }
     return found;
   });
-  return sought.length > 1 ? [...ofEach, notice(texts.unplacedOnes(sought))] : ofEach;
+  if (sought.length > 1) ofEach.push(notice(texts.unplacedOnes(sought)));
+  if (traffic.some(({ isSmall }) => isSmall)) ofEach.push(notice(texts.coarse));
+  return ofEach;
 }
 
 /** True while no reason for the missing pose is known, as for all sensors in a room's first seconds. */

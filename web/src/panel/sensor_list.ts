@@ -16,6 +16,7 @@ interface SensorRow extends Row<RoomSensor> {
   entry: RoomSensor;
   figures: HTMLElement;
   tag: HTMLElement;
+  coarse: HTMLElement; // shown while its pictures are of its small rendition
   slider: HTMLElement | undefined; // its volume, once it was heard
 }
 
@@ -53,6 +54,7 @@ export class SensorList {
     const age = room_ms === undefined || captured === undefined ? undefined : Math.max(0, room_ms - captured);
     const fps = perSecond(this.state.sensorFps(entry.id));
     const rate = megabytes(this.state.sensorBytesPerSecond(entry.id));
+    row.coarse.hidden = !entry.online || !traffic?.isSmall;
     setText(figures, entry.online ? `${fps} fps · ${rate} MB/s · ${milliseconds(age)}` : panelTexts.gone);
   }
 
@@ -79,13 +81,14 @@ export class SensorList {
     const name = element('span', { class: 'name' });
     const figures = element('span', { class: 'rates' });
     const tag = element('span', { class: 'voice-tag' });
-    const root = element('li', {}, element('label', {}, box, swatch, name), tag, figures);
+    const coarse = element('span', { class: 'tag', title: panelTexts.coarseTitle }, panelTexts.coarse);
+    const root = element('li', {}, element('label', {}, box, swatch, name, coarse), tag, figures);
     const update = (now: RoomSensor) => {
       row.entry = now;
       root.className = now.online ? '' : 'gone';
       name.replaceChildren(...[now.name, placementTag(now.pose)].filter((part) => part !== undefined));
     };
-    const row: SensorRow = { root, update, entry, figures, tag, slider: undefined };
+    const row: SensorRow = { root, update, entry, figures, tag, coarse, slider: undefined };
     return row;
   }
 }

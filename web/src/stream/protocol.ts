@@ -49,6 +49,7 @@ export interface SensorTraffic {
   lastSeq: number | undefined;
   lastSetId: bigint | undefined;
   lastCapture_ms: number | undefined;
+  isSmall: boolean; // its newest frame is of its small rendition: this viewer's line takes no more
   problem: string; // reason why its frames are not shown properly, or empty
 }
 

@@ -161,6 +161,16 @@ describe.skipIf(!built)(`a sensor's stream${reason}`, () => {
     expect(stream.traffic.missed).toBe(0);
   });
 
+  test('counts what it misses of each rendition by itself', async () => {
+    const stream = await streamWith(false);
+    stream.push({ ...headerOf(0), seq: 10 }, payloads[0]!);
+    stream.push({ ...headerOf(0), seq: 500, small: true }, payloads[0]!);
+    expect(stream.traffic).toMatchObject({ missed: 0, isSmall: true });
+    stream.push({ ...headerOf(0), seq: 502, small: true }, payloads[0]!);
+    stream.push({ ...headerOf(0), seq: 900 }, payloads[0]!);
+    expect(stream.traffic).toMatchObject({ missed: 1, isSmall: false });
+  });
+
   test('with a damaged frame says so, asks for a key frame, and recovers with it', async () => {
     const stream = await streamWith(false);
     stream.push(headerOf(0), payloads[0]!.subarray(0, 100));

@@ -43,7 +43,7 @@ export class SensorStream {
   private readonly awaitsColor = new Map<number, AwaitsColor>();
   private colors: ColorDecoder | undefined;
   private chunks = 0;
-  private newestSeq: number | undefined; // highest received
+  private newestSeq: number | undefined; // highest received, of the rendition that comes
   private hasGaps = false; // the hub leaves frames out
 
   constructor(
@@ -62,12 +62,14 @@ export class SensorStream {
       lastSeq: undefined,
       lastSetId: undefined,
       lastCapture_ms: undefined,
+      isSmall: false,
       problem: '',
     };
   }
 
   /** A hidden frame is decoded only because later ones need it. */
   push(header: FrameHeader, payload: Uint8Array, isHidden = false): void {
+    this.followRendition(header.small);
     if (isHidden) this.newestSeq = header.seq;
     else this.countMissed(header.seq);
     this.traffic.bytes += header.headerLength + payload.length;
@@ -127,6 +129,12 @@ export class SensorStream {
     this.traffic.problem = `A frame could not be decoded: ${reason}`;
     this.chain.lose();
     if (!isHidden) this.skip(header);
+  }
+
+  /** Each rendition is numbered by itself. */
+  private followRendition(isSmall: boolean): void {
+    if (isSmall !== this.traffic.isSmall) this.newestSeq = undefined;
+    this.traffic.isSmall = isSmall;
   }
 
   /** A sensor that reconnects counts from 0 again. */
