@@ -29,7 +29,8 @@ RoomProblem lost_hub(const client::RoomSnapshot& room) {
 bool is_silent(const client::RoomSensor& sensor, HostTime now) {
   if (!sensor.picture || sensor.is_paused) return false;
   const Seconds three_frames(sensor.fps > 0 ? 3 / sensor.fps : 0);
-  return Seconds(now - sensor.picture->received) > std::max<Seconds>(kSilence, three_frames);
+  const Seconds patience = sensor.is_small ? kSilenceOnSlowLine : kSilence;
+  return Seconds(now - sensor.picture->received) > std::max(patience, three_frames);
 }
 
 std::optional<RoomProblem> problem_of(const client::RoomSensor& sensor, HostTime now) {
@@ -65,6 +66,10 @@ std::vector<RoomProblem> room_problems(const client::RoomSnapshot& room, HostTim
   for (const client::RoomSensor& sensor : room.sensors) {
     if (auto problem = problem_of(sensor, now)) problems.push_back(std::move(*problem));
   }
+  if (std::ranges::any_of(room.sensors, &client::RoomSensor::is_small))
+    problems.push_back({Severity::kNotice, "room",
+                        "Your line is slow, so some sensors send coarser pictures and fewer of "
+                        "them."});
   std::ranges::stable_sort(problems, {}, &RoomProblem::severity);
   return problems;
 }

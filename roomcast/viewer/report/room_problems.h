@@ -20,6 +20,8 @@ struct RoomProblem {
 
 /// A sensor is silent if nothing arrived for this long and for three of its frame intervals.
 inline constexpr std::chrono::seconds kSilence{3};
+/// The same while the viewer's line takes only the small rendition.
+inline constexpr std::chrono::seconds kSilenceOnSlowLine{10};
 
 /// `now`: this machine's clock.
 [[nodiscard]] std::vector<RoomProblem> room_problems(const client::RoomSnapshot& room,

@@ -61,6 +61,21 @@ TEST(RoomProblems, a_reason_that_asks_gets_no_full_stop) {
             "pictures are shown; it is tried again.");
 }
 
+TEST(RoomProblems, a_slow_line_is_said_once_and_its_pictures_may_be_late) {
+  client::RoomSnapshot room = good_room();
+  for (client::RoomSensor& sensor : room.sensors) {
+    sensor.is_small = true;
+    sensor.picture = picture_from(5s);
+  }
+  const auto problems = room_problems(room, kNow);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].severity, RoomProblem::Severity::kNotice);
+  EXPECT_EQ(problems[0].sentence,
+            "Your line is slow, so some sensors send coarser pictures and fewer of them.");
+  room.sensors[0].picture = picture_from(12s);
+  EXPECT_EQ(room_problems(room, kNow).at(0).sentence, "Sensor left has been silent for 12 s.");
+}
+
 TEST(RoomProblems, a_sensor_that_left_is_named) {
   client::RoomSnapshot room = good_room();
   room.sensors[1].online = false;

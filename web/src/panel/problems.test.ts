@@ -47,6 +47,8 @@ describe('the list of problems', () => {
     const small = [0, 1].map((sensor) => ({ ...traffic, sensor, isSmall: true }));
     const both = [s0, { ...s0, id: 1, name: 's1' }];
     expect(sentences(known({}, both, small))).toEqual([expect.stringMatching(/connection is slow/)]);
+    expect(sentences(known({}, both, small), 15_000)).toHaveLength(1); // late, but that is no fault of the sensors
+    expect(sentences(known({}, both, small), 21_000)).toHaveLength(3);
   });
 
   test('has a hub that is gone, with the time to the next try', () => {

@@ -22,6 +22,7 @@ export interface Problem {
 
 const loading_ms = 10_000; // from asking for the connection; a first picture may be old when it has been decoded
 const silent_ms = 3000;
+const slowSilent_ms = 10_000; // on a line that takes small pictures only
 const silentFrames = 3; // of a slow sensor: this many frames must be overdue
 
 /** `room_ms` is room time, undefined before the clock is known; `date_ms` is Date.now. */
@@ -70,7 +71,8 @@ function sensorProblems(
     const counts = traffic.find((entry) => entry.sensor === sensor.id);
     const found: Problem[] = [];
     const silence_ms = silenceOf(counts, room_ms);
-    if (silence_ms > Math.max(silent_ms, (1000 * silentFrames) / sensor.fps))
+    const patience_ms = counts?.isSmall ? slowSilent_ms : silent_ms;
+    if (silence_ms > Math.max(patience_ms, (1000 * silentFrames) / sensor.fps))
       found.push(error(texts.silent(sensor.name), texts.silentFor(Math.round(silence_ms / 1000))));
     if (counts?.problem) found.push(error(texts.sensor(sensor.name, counts.problem)));
     const { state, note } = sensor.pose;
