@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <utility>
 
 namespace roomcast::model {
@@ -12,11 +13,20 @@ namespace {
 /// Which share of the readings of a surface another one needs to be believed in its place.
 constexpr float kFartherShare = 0.3F, kNearerShare = 2;
 constexpr int kMinFartherCount = 3;
+/// A surface that was read in nearly all frames until it was read no more: dark and glossy ones,
+/// which are read now and then, have a lower count.
+constexpr int kReliableCount = 6, kMaxReliableCount = 9, kPerMissed = 2;
+/// Neighbouring pixels show one surface when they differ by less.
+constexpr float kJoined_mm = 10, kJoinedShare = 0.02F;
 constexpr int kMinCount = 3;
 constexpr int kNoiseFrames = 30;  // the noise law is taken over in these, then every 30th
 constexpr int kAgreementStep = 4;
 constexpr double kMinAgreement = 0.6;
 constexpr float kSameStand = 0.02F;  // of the depth: the sensor has not moved
+
+void count_up(std::uint8_t& count) {
+  if (count < std::numeric_limits<std::uint8_t>::max()) ++count;
+}
 
 Status check_pose(const RigidTransform& pose) {
   if (!pose.rotation.allFinite() || !pose.translation_m.allFinite())
@@ -80,39 +90,102 @@ void StillView::add(DepthView depth_mm, ColorView color, MaskView color_seen) {
   for (int y = 0; y < depth_mm.height; ++y) {
     for (int x = 0; x < depth_mm.width; ++x) {
       const auto z_mm = static_cast<float>(depth_mm.at(x, y));
-      if (z_mm == 0 || z_mm > farthest_mm) continue;
       Pixel& pixel = pixels_.at(x, y);
-      add_reading(z_mm, pixel);
+      if (z_mm == 0) count_up(pixel.missed_count);
+      if (z_mm == 0 || z_mm > farthest_mm) continue;
+      const float before_mm = pixel.mean_mm;
+      if (add_reading(z_mm, pixel)) gone_.push_back({x, y, before_mm});
       const bool has_color = color.data != nullptr && (!has_seen || color_seen.at(x, y) != 0);
       if (has_color && is_same(z_mm, pixel.mean_mm)) add_color(color.at(x, y), pixel);
     }
   }
+  forget_around_gone();
 }
 
-void StillView::add_reading(float z_mm, Pixel& pixel) const {
+/// What is behind a thing that has gone gives no reading in some places, where the thing would
+/// stay.
+void StillView::forget_around_gone() {
+  while (!gone_.empty()) {
+    const Gone gone = gone_.back();
+    gone_.pop_back();
+    for (int y = std::max(gone.y - 1, 0); y <= std::min(gone.y + 1, camera_.height - 1); ++y) {
+      for (int x = std::max(gone.x - 1, 0); x <= std::min(gone.x + 1, camera_.width - 1); ++x) {
+        Pixel& pixel = pixels_.at(x, y);
+        const float near_mm = std::min(pixel.mean_mm, gone.before_mm);
+        if (pixel.count == 0 || !is_missed(pixel)) continue;
+        if (std::abs(pixel.mean_mm - gone.before_mm) > kJoined_mm + kJoinedShare * near_mm)
+          continue;
+        gone_.push_back({x, y, pixel.mean_mm});
+        pixel = {};
+      }
+    }
+  }
+}
+
+/// True: a farther surface has taken the place of the one that was there.
+bool StillView::add_reading(float z_mm, Pixel& pixel) const {
   const auto join = [&](float& mean_mm, std::uint8_t& count) {
     count = static_cast<std::uint8_t>(std::min(count + 1, options_.memory_frames));
     mean_mm += (z_mm - mean_mm) / static_cast<float>(count);
   };
   if (pixel.count == 0 || is_same(z_mm, pixel.mean_mm)) {
     join(pixel.mean_mm, pixel.count);
-    return;
+    const int reliable = std::max(0, pixel.reliable_count - kPerMissed * pixel.missed_count) + 1;
+    pixel.reliable_count = static_cast<std::uint8_t>(std::min(reliable, kMaxReliableCount));
+    pixel.through_count = pixel.missed_count = 0;
+    // Who walked past is not there, and must not be believed after many times.
+    if (pixel.other_count > 0 && pixel.other_mm < pixel.mean_mm) --pixel.other_count;
+    return false;
   }
-  if (pixel.other_count > 0 && !is_same(z_mm, pixel.other_mm)) {
+  const bool farther = z_mm > pixel.mean_mm;
+  if (farther) {
+    count_up(pixel.through_count);
+    count_up(pixel.missed_count);
+  }
+  if (pixel.other_count == 0 || is_same(z_mm, pixel.other_mm)) {
+    join(pixel.other_mm, pixel.other_count);
+  } else {
     --pixel.other_count;
-    return;
   }
-  join(pixel.other_mm, pixel.other_count);
-  const bool farther = pixel.other_mm > pixel.mean_mm;
-  const float share = farther ? kFartherShare : kNearerShare;
-  // A full count says no more than "for long".
-  const auto limit = std::min(share * static_cast<float>(pixel.count),
-                              static_cast<float>(options_.memory_frames) - 1);
-  if (static_cast<float>(pixel.other_count) <= limit) return;
-  if (farther && pixel.other_count < kMinFartherCount) return;
+  if (farther && (is_outvoted(pixel, pixel.through_count) || is_missed(pixel))) {
+    // What is behind it may be so far or so dark that its readings differ from each other.
+    if (pixel.other_count == 0 || !is_same(z_mm, pixel.other_mm)) {
+      pixel.other_mm = z_mm;
+      pixel.other_count = 1;
+    }
+    take_other(pixel);
+    return true;
+  }
+  if (pixel.other_count == 0 || !is_same(z_mm, pixel.other_mm)) return false;
+  const bool is_believed =
+      farther ? is_outvoted(pixel, pixel.other_count)
+              : static_cast<float>(pixel.other_count) > enough(kNearerShare, pixel.count);
+  if (is_believed) take_other(pixel);
+  return is_believed && farther;
+}
+
+/// After so many readings of something else; a full count says no more than "for long".
+float StillView::enough(float share, int count) const {
+  return std::min(share * static_cast<float>(count),
+                  static_cast<float>(options_.memory_frames) - 1);
+}
+
+bool StillView::is_outvoted(const Pixel& pixel, int frames) const {
+  return frames >= kMinFartherCount &&
+         static_cast<float>(frames) > enough(kFartherShare, pixel.count);
+}
+
+/// It was always read, and is no more, although nothing is before it.
+bool StillView::is_missed(const Pixel& pixel) const {
+  return pixel.reliable_count >= kReliableCount && is_outvoted(pixel, pixel.missed_count);
+}
+
+void StillView::take_other(Pixel& pixel) {
   std::swap(pixel.mean_mm, pixel.other_mm);
   std::swap(pixel.count, pixel.other_count);
   pixel.other_count = std::min<std::uint8_t>(pixel.other_count, pixel.count);
+  pixel.reliable_count = std::min<std::uint8_t>(pixel.count, kMaxReliableCount);
+  pixel.through_count = pixel.missed_count = 0;
   pixel.color_count = 0;
 }
 

@@ -2,14 +2,16 @@
 // StillView: what stands still in the view of one sensor at one place, gathered from its frames.
 // For each pixel the mean of the readings of the surface that stands there, the number of these
 // readings, and their mean colour. Something that moves is forgotten: where a farther surface is
-// seen often enough, the nearer one has gone; a nearer one is believed only when it has been there
-// for twice as long. Hence a person who walks past is not in the view, and furniture that was moved
-// is after a few seconds. Depth in millimetres. Single-threaded.
+// seen often enough, the nearer one has gone; so has a nearer one beside it that was always read
+// and is no longer, although nothing is behind it that gives readings. A nearer surface is believed
+// only when it has been there for twice as long. Hence a person who walks past is not in the view,
+// and furniture that was moved is after a few seconds. Depth in millimetres. Single-threaded.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "roomcast/codec/live/sensor_noise.h"
 #include "roomcast/core/image.h"
@@ -58,12 +60,20 @@ class StillView {
   struct Pixel {
     float mean_mm = 0, other_mm = 0;  // the surface, and another one that may be there instead
     std::uint8_t count = 0, other_count = 0, color_count = 0;
+    // Frames since the surface was read: with farther readings, and those without any as well.
+    std::uint8_t through_count = 0, missed_count = 0;
+    std::uint8_t reliable_count = 0;       // frames before these in which it was read
     std::array<std::uint16_t, 3> color{};  // mean, 1/256 levels
   };
   StillView(const CameraIntrinsics& camera, const RigidTransform& world_from_depth,
             const ModelOptions& options);
   [[nodiscard]] bool is_same(float a_mm, float b_mm) const;
-  void add_reading(float z_mm, Pixel& pixel) const;
+  bool add_reading(float z_mm, Pixel& pixel) const;
+  [[nodiscard]] float enough(float share, int count) const;
+  [[nodiscard]] bool is_outvoted(const Pixel& pixel, int frames) const;
+  [[nodiscard]] bool is_missed(const Pixel& pixel) const;
+  void forget_around_gone();
+  static void take_other(Pixel& pixel);
   void add_color(Rgb8 color, Pixel& pixel) const;
 
   CameraIntrinsics camera_;
@@ -73,6 +83,11 @@ class StillView {
   codec::SensorNoise noise_;
   std::array<float, codec::kSigmaKnotCount> sigma_mm_{};
   int frames_ = 0;
+  struct Gone {
+    int x = 0, y = 0;
+    float before_mm = 0;
+  };
+  std::vector<Gone> gone_;  // in this frame; empty between calls
 };
 
 }  // namespace roomcast::model

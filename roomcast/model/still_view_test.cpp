@@ -74,6 +74,91 @@ TEST(StillView, furniture_that_was_put_there_is_believed_after_some_seconds) {
   EXPECT_LT(error_mm(view, 2500, 20, 40), 3);
 }
 
+ModelOptions of_running_room() {
+  ModelOptions options;
+  options.memory_frames = 9;
+  return options;
+}
+
+/// A cabinet in these columns, before a wall or `behind`.
+constexpr int kCabinetFrom = 20, kCabinetTo = 40;
+DepthImage with_cabinet(unsigned seed) {
+  return wall(4000, seed, kCabinetFrom, kCabinetTo, 2500);
+}
+
+int forgotten(const StillView& view, int from_x = kCabinetFrom, int to_x = kCabinetTo) {
+  int pixels = 0;
+  for (int y = 0; y < kSmall.height; ++y)
+    for (int x = from_x; x < to_x; ++x)
+      pixels += view.depth_mm(x, y) < 2300 || view.depth_mm(x, y) > 2700;
+  return pixels;
+}
+constexpr int kCabinetPixels = (kCabinetTo - kCabinetFrom) * 48;
+
+TEST(StillView, who_has_walked_past_before_does_not_delay_that_furniture_is_forgotten) {
+  StillView view = *StillView::create(kSmall, {}, of_running_room());
+  for (unsigned i = 0; i < 12; ++i) view.add(with_cabinet(i), {}, {});
+  for (unsigned i = 12; i < 18; ++i) view.add(wall(800, i), {}, {});
+  EXPECT_EQ(forgotten(view), 0);
+  for (unsigned i = 18; i < 21; ++i) view.add(wall(4000, i), {}, {});
+  EXPECT_EQ(forgotten(view), kCabinetPixels);
+}
+
+TEST(StillView, who_walks_past_again_and_again_is_never_believed) {
+  StillView view = *StillView::create(kSmall, {}, of_running_room());
+  for (unsigned i = 0; i < 60; ++i) view.add(wall(i % 5 == 4 ? 800 : 4000, i), {}, {});
+  EXPECT_LT(error_mm(view, 4000), 4);
+}
+
+TEST(StillView, furniture_is_forgotten_where_readings_behind_it_differ) {
+  StillView view = *StillView::create(kSmall, {}, of_running_room());
+  for (unsigned i = 0; i < 12; ++i) view.add(with_cabinet(i), {}, {});
+  for (unsigned i = 0; i < 3; ++i)
+    view.add(wall(4000, i, kCabinetFrom, kCabinetTo, 5000 + 300 * i), {}, {});
+  EXPECT_EQ(forgotten(view), kCabinetPixels);
+}
+
+TEST(StillView, furniture_is_forgotten_where_nothing_behind_it_is_read) {
+  StillView view = *StillView::create(kSmall, {}, of_running_room());
+  for (unsigned i = 0; i < 12; ++i) view.add(with_cabinet(i), {}, {});
+  const auto dark_behind = [](unsigned seed) {
+    DepthImage depth_mm = wall(4000, seed);
+    for (int y = 0; y < kSmall.height; ++y)
+      for (int x = kCabinetFrom + 4; x < kCabinetTo; ++x) depth_mm.at(x, y) = 0;
+    return depth_mm;
+  };
+  for (unsigned i = 0; i < 2; ++i) view.add(dark_behind(i), {}, {});
+  EXPECT_EQ(forgotten(view), 0);
+  view.add(dark_behind(3), {}, {});
+  EXPECT_EQ(forgotten(view), kCabinetPixels);
+  EXPECT_FALSE(view.is_sure(kCabinetTo - 1, 20));
+}
+
+TEST(StillView, what_is_only_not_read_stays_also_beside_furniture_that_went) {
+  StillView view = *StillView::create(kSmall, {}, of_running_room());
+  // The right half of the cabinet is glossy, and read every third time.
+  const auto glossy = [](DepthImage depth_mm, bool is_read) {
+    for (int y = 0; y < kSmall.height && !is_read; ++y)
+      for (int x = 30; x < kCabinetTo; ++x) depth_mm.at(x, y) = 0;
+    return depth_mm;
+  };
+  for (unsigned i = 0; i < 30; ++i) view.add(glossy(with_cabinet(i), i % 3 == 0), {}, {});
+  for (unsigned i = 30; i < 40; ++i) view.add(glossy(with_cabinet(i), false), {}, {});
+  EXPECT_EQ(forgotten(view), 0);
+  for (unsigned i = 40; i < 43; ++i) view.add(glossy(wall(4000, i), false), {}, {});
+  EXPECT_EQ(forgotten(view, 30, kCabinetTo), 0);
+  EXPECT_EQ(forgotten(view, kCabinetFrom, 30), kCabinetPixels / 2);
+}
+
+TEST(StillView, a_sensor_that_reads_nothing_for_a_while_forgets_nothing) {
+  StillView view = *StillView::create(kSmall, {}, of_running_room());
+  for (unsigned i = 0; i < 12; ++i) view.add(with_cabinet(i), {}, {});
+  for (int i = 0; i < 20; ++i) view.add(DepthImage(64, 48), {}, {});
+  EXPECT_EQ(forgotten(view), 0);
+  for (unsigned i = 0; i < 3; ++i) view.add(with_cabinet(i), {}, {});
+  EXPECT_EQ(forgotten(view), 0);
+}
+
 TEST(StillView, color_is_that_of_the_still_surface) {
   StillView view = small_view();
   const ColorImage blue(64, 48, Rgb8{0, 0, 250}), red(64, 48, Rgb8{250, 0, 0});

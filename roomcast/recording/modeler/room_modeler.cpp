@@ -2,12 +2,15 @@
 #include "roomcast/recording/modeler/room_modeler.h"
 
 #include <algorithm>
+#include <future>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <stop_token>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <sys/resource.h>
 #include <time.h>
@@ -49,6 +52,11 @@ nanoseconds thread_cpu_time() {
   return std::chrono::seconds(spent.tv_sec) + nanoseconds(spent.tv_nsec);
 }
 
+void lower_priority() {
+  // On Linux this sets the niceness of this thread only.
+  (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kModelerNiceness);
+}
+
 }  // namespace
 
 model::ModelOptions running_room_options() {
@@ -80,7 +88,13 @@ class RoomModeler::Work {
   void take(const client::RoomSnapshot& room);
   void ask_for_more(const client::RoomSnapshot& room, client::Subscriber& subscriber);
   void fuse_when_due(const std::stop_token& stop);
-  void fuse(const std::stop_token& stop);
+  void start_fusing(const std::stop_token& stop);
+  void finish_fusing();
+  struct Fused {
+    nanoseconds spent{};  // CPU time
+    Status status;
+  };
+  Fused fuse(const std::vector<model::ViewSurface>& views, const std::stop_token& stop);
   void load();
   void save();
   void warn(const Error& error);
@@ -95,6 +109,10 @@ class RoomModeler::Work {
   /// Sensors that the hub has named. One that it names no longer was sent away; one that it has not
   /// named yet may still come.
   std::set<std::string> listed_;
+  /// A picture is in many snapshots, and its time is another one once the clock is known better.
+  std::map<SensorId, std::shared_ptr<const codec::DecodedFrame>> taken_;
+  /// On a thread of its own: meanwhile key frames come, and one that is not taken is lost.
+  std::future<Fused> fusing_;
   bool is_unsaved_ = false;
   std::string warned_;  // the last warning; it is not repeated
 
@@ -106,10 +124,9 @@ class RoomModeler::Work {
 };
 
 void RoomModeler::Work::run(const std::stop_token& stop) {
-  // On Linux this sets the niceness of this thread only.
-  (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kModelerNiceness);
+  lower_priority();
   load();
-  fuse(stop);
+  start_fusing(stop);
   while (!stop.stop_requested()) {
     auto room = client::Subscriber::open({.hub_url = options_.hub_url,
                                           .room = options_.room,
@@ -125,6 +142,7 @@ void RoomModeler::Work::run(const std::stop_token& stop) {
     }
     (void)wait_for(kTryAgain, stop);
   }
+  if (fusing_.valid()) finish_fusing();
   save();
 }
 
@@ -153,8 +171,11 @@ void RoomModeler::Work::take(const client::RoomSnapshot& room) {
   }
   for (const client::RoomSensor& sensor : room.sensors) listed_.insert(sensor.name);
   LiveSet live = sets_.set_of(room);
-  std::erase_if(live.set.frames,
-                [&](const SetFrame& frame) { return room.sensors[frame.sensor].pose.is_moved(); });
+  std::erase_if(live.set.frames, [&](const SetFrame& frame) {
+    const client::RoomSensor& sensor = room.sensors[frame.sensor];
+    if (sensor.pose.is_moved() || !frame.world_from_depth) return true;
+    return std::exchange(taken_[sensor.id], frame.pictures) == frame.pictures;
+  });
   if (auto status = views_.add(live.sensors, live.set); !status) warn(status.error());
 }
 
@@ -168,20 +189,37 @@ void RoomModeler::Work::ask_for_more(const client::RoomSnapshot& room,
 }
 
 void RoomModeler::Work::fuse_when_due(const std::stop_token& stop) {
+  if (fusing_.valid()) {
+    if (fusing_.wait_for(0s) != std::future_status::ready) return;
+    finish_fusing();
+  }
   if (!noticed_ || clock_.now() < std::max(*noticed_ + kSettle, next_fusing_)) return;
   noticed_.reset();
-  fuse(stop);
+  start_fusing(stop);
 }
 
-void RoomModeler::Work::fuse(const std::stop_token& stop) {
+void RoomModeler::Work::start_fusing(const std::stop_token& stop) {
   if (!views_.are_worth_fusing()) return;
-  const nanoseconds spent_before = thread_cpu_time();
+  fusing_ = std::async(std::launch::async, [this, stop, views = views_.surfaces()] {
+    lower_priority();
+    return fuse(views, stop);
+  });
+}
+
+void RoomModeler::Work::finish_fusing() {
+  const Fused fused = fusing_.get();
+  if (!fused.status) warn(fused.status.error());
+  is_unsaved_ = true;
+  next_fusing_ = clock_.now() + kRestPerWork * fused.spent;
+}
+
+RoomModeler::Work::Fused RoomModeler::Work::fuse(const std::vector<model::ViewSurface>& views,
+                                                 const std::stop_token& stop) {
   MeshWriterOptions meshing;
   meshing.model = options_.model;
   meshing.colored_only = true;  // viewers give what is left out the colour around it
-  const auto mesh = mesh_surfaces(views_.surfaces(), meshing, {}, Workers(1, stop));
-  if (stop.stop_requested()) return;
-  if (!mesh && mesh.error().code != ErrorCode::kNotFound) warn(mesh.error());
+  const auto mesh = mesh_surfaces(views, meshing, {}, Workers(1, stop));
+  if (stop.stop_requested()) return {};
   {
     // Coding takes long, and viewers who ask meanwhile wait on the hub's thread for rooms.
     ModelPieces pieces = pieces_;
@@ -191,8 +229,8 @@ void RoomModeler::Work::fuse(const std::stop_token& stop) {
     pieces_ = std::move(pieces);
     changes_.reset();
   }
-  is_unsaved_ = true;
-  next_fusing_ = clock_.now() + kRestPerWork * (thread_cpu_time() - spent_before);
+  const bool is_failure = !mesh && mesh.error().code != ErrorCode::kNotFound;
+  return {thread_cpu_time(), is_failure ? Status(mesh.error()) : Status()};
 }
 
 void RoomModeler::Work::load() {

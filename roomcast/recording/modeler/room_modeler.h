@@ -2,8 +2,8 @@
 // RoomModeler: joins a hub and keeps the model of what stands still in a running room: gathers the
 // sensors' key frames, fuses them when something noticeable has changed, and gives the model and
 // its changes. While nobody watches the room no frames come, and it does nothing. The views are
-// kept on disk, so that the model is there again after a restart. Threading: has its own thread, of
-// low priority; thread-safe.
+// kept on disk, so that the model is there again after a restart. Threading: has two threads of its
+// own, of low priority, one of which fuses; thread-safe.
 #pragma once
 
 #include <filesystem>
