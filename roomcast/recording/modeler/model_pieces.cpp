@@ -12,8 +12,11 @@
 namespace roomcast::recording {
 namespace {
 
-constexpr float kLookStep_m = 0.05F;     // of the cubes by which pieces are compared
-constexpr double kSameLook = 0.02;       // share of these cubes that may differ
+constexpr float kLookStep_m = 0.05F;  // of the cubes by which pieces are compared
+constexpr double kSameLook = 0.02;    // share of these cubes that may differ
+/// So many of them may be where the other piece has nothing nearby: 0.1 m2. More is a thing that
+/// came or went, also in a piece that is full of others.
+constexpr int kSameThings = 40;
 constexpr double kSameLevel = 4;         // of 0 to 255
 constexpr std::uint64_t kAxisBits = 21;  // of a cube's place on one axis
 constexpr std::int64_t kAxisOffset = 1 << 20;
@@ -31,6 +34,19 @@ std::uint64_t key_of(const model::GridPlace& place) {
     return static_cast<std::uint64_t>(value + kAxisOffset) & ((1ULL << kAxisBits) - 1);
   };
   return (axis(place.x) << (2 * kAxisBits)) | (axis(place.y) << kAxisBits) | axis(place.z);
+}
+
+/// A surface on the border of two cubes may be in either, so those around count, too.
+bool is_near(std::uint64_t key, const std::vector<std::uint64_t>& sorted_keys) {
+  constexpr std::uint64_t kOneY = 1ULL << kAxisBits, kOneX = 1ULL << (2 * kAxisBits);
+  for (std::uint64_t x = 0; x <= 2; ++x) {
+    for (std::uint64_t y = 0; y <= 2; ++y) {
+      const std::uint64_t first = key + x * kOneX + y * kOneY - kOneX - kOneY - 1;
+      const auto found = std::ranges::lower_bound(sorted_keys, first);
+      if (found != sorted_keys.end() && *found <= first + 2) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -76,6 +92,10 @@ bool ModelPieces::look_alike(const Look& a, const Look& b) {
   std::vector<std::uint64_t> different;
   std::ranges::set_symmetric_difference(a.places, b.places, std::back_inserter(different));
   const auto size = static_cast<double>(a.places.size() + b.places.size());
+  const auto things = std::ranges::count_if(different, [&](std::uint64_t key) {
+    return !is_near(key, a.places) || !is_near(key, b.places);
+  });
+  if (things > kSameThings) return false;
   return static_cast<double>(different.size()) <= kSameLook * size &&
          std::abs(a.level - b.level) <= kSameLevel;
 }

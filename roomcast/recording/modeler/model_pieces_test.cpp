@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/recording/modeler/model_pieces.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -95,6 +97,31 @@ TEST(ModelPieces, a_mesh_that_looks_the_same_changes_nothing) {
   EXPECT_FALSE(pieces.update(again, 200));
   EXPECT_EQ(pieces.version(), 100u);
   EXPECT_TRUE(pieces.update(floor_at(0.5F, Rgb8{20, 20, 20}), 300)) << "the light was switched off";
+}
+
+model::RoomMesh raised(model::RoomMesh mesh, float by_m) {
+  for (auto& point_m : mesh.points_m) point_m.y() += by_m;
+  return mesh;
+}
+
+/// The first 7 rows of 7 points, as of a thing's top.
+model::RoomMesh top_at(float height_m) {
+  model::RoomMesh top = raised(floor_at(0.5F), height_m);
+  std::erase_if(top.triangles, [&](const auto& triangle) {
+    return std::ranges::any_of(
+        triangle, [](std::uint32_t point) { return point / 21 > 6 || point % 21 > 6; });
+  });
+  return top;
+}
+
+TEST(ModelPieces, a_small_thing_that_goes_from_a_piece_full_of_others_is_a_change) {
+  model::RoomMesh shelves = floor_at(0.5F);
+  for (int i = 1; i < 6; ++i)
+    shelves = both(shelves, raised(floor_at(0.5F), 0.2F * static_cast<float>(i)));
+  ModelPieces pieces;
+  EXPECT_TRUE(pieces.update(both(shelves, top_at(1.7F)), 100));
+  EXPECT_FALSE(pieces.update(both(shelves, top_at(1.75F)), 200)) << "nearly where it was";
+  EXPECT_TRUE(pieces.update(shelves, 300));
 }
 
 TEST(ModelPieces, a_piece_that_goes_is_named_with_nothing_in_it) {
