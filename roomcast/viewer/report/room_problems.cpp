@@ -66,7 +66,10 @@ std::vector<RoomProblem> room_problems(const client::RoomSnapshot& room, HostTim
   for (const client::RoomSensor& sensor : room.sensors) {
     if (auto problem = problem_of(sensor, now)) problems.push_back(std::move(*problem));
   }
-  if (std::ranges::any_of(room.sensors, &client::RoomSensor::is_small))
+  const auto comes_small = [](const client::RoomSensor& sensor) {
+    return sensor.online && !sensor.is_paused && sensor.is_small;
+  };
+  if (std::ranges::any_of(room.sensors, comes_small))
     problems.push_back({Severity::kNotice, "room",
                         "Your line is slow, so some sensors send coarser pictures and fewer of "
                         "them."});

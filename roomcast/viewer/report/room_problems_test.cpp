@@ -76,6 +76,17 @@ TEST(RoomProblems, a_slow_line_is_said_once_and_its_pictures_may_be_late) {
   EXPECT_EQ(room_problems(room, kNow).at(0).sentence, "Sensor left has been silent for 12 s.");
 }
 
+TEST(RoomProblems, a_small_picture_of_a_sensor_that_sends_no_more_says_nothing_of_the_line) {
+  client::RoomSnapshot room = good_room();
+  room.sensors[0].is_small = true;
+  room.sensors[0].is_paused = true;
+  EXPECT_TRUE(room_problems(room, kNow).empty());
+  room.sensors[0].online = false;
+  const auto problems = room_problems(room, kNow);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].sentence, "Sensor left is gone.");
+}
+
 TEST(RoomProblems, a_sensor_that_left_is_named) {
   client::RoomSnapshot room = good_room();
   room.sensors[1].online = false;

@@ -51,6 +51,12 @@ describe('the list of problems', () => {
     expect(sentences(known({}, both, small), 21_000)).toHaveLength(3);
   });
 
+  test('does not take the last small picture of a sensor that is gone for a slow connection', () => {
+    const gone = { ...s0, id: 1, name: 's1', online: false };
+    const counts = [traffic, { ...traffic, sensor: 1, isSmall: true }];
+    expect(sentences(known({}, [s0, gone], counts))).toEqual([expect.stringMatching(/s1 is gone/)]);
+  });
+
   test('has a hub that is gone, with the time to the next try', () => {
     const connection = { ...joined, phase: 'waiting' as const, sentence: 'The hub has stopped.', retryAt_ms: 2900 };
     expect(problems(known({ connection }), 0, 0)).toEqual([

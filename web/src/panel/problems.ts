@@ -87,7 +87,8 @@ function sensorProblems(
     return found;
   });
   if (sought.length > 1) ofEach.push(notice(texts.unplacedOnes(sought)));
-  if (traffic.some(({ isSmall }) => isSmall)) ofEach.push(notice(texts.coarse));
+  const online = new Set(roster.sensors.filter((entry) => entry.online).map(({ id }) => id));
+  if (traffic.some(({ sensor, isSmall }) => isSmall && online.has(sensor))) ofEach.push(notice(texts.coarse));
   return ofEach;
 }
 
