@@ -102,8 +102,8 @@ void StillView::add(DepthView depth_mm, ColorView color, MaskView color_seen) {
   forget_around_gone();
 }
 
-/// What is behind a thing that has gone gives no reading in some places, where the thing would
-/// stay.
+/// Forgets the rest of a thing that has gone: the pixels beside those that see through it which
+/// give no reading any more, because the surface behind the thing is too dark or too far there.
 void StillView::forget_around_gone() {
   while (!gone_.empty()) {
     const Gone gone = gone_.back();
@@ -133,7 +133,7 @@ bool StillView::add_reading(float z_mm, Pixel& pixel) const {
     const int reliable = std::max(0, pixel.reliable_count - kPerMissed * pixel.missed_count) + 1;
     pixel.reliable_count = static_cast<std::uint8_t>(std::min(reliable, kMaxReliableCount));
     pixel.through_count = pixel.missed_count = 0;
-    // Who walked past is not there, and must not be believed after many times.
+    // A person who walks past many times must not be believed in the end.
     if (pixel.other_count > 0 && pixel.other_mm < pixel.mean_mm) --pixel.other_count;
     return false;
   }
@@ -148,7 +148,7 @@ bool StillView::add_reading(float z_mm, Pixel& pixel) const {
     --pixel.other_count;
   }
   if (farther && (is_outvoted(pixel, pixel.through_count) || is_missed(pixel))) {
-    // What is behind it may be so far or so dark that its readings differ from each other.
+    // The newest reading counts: those of a far or dark surface differ from each other.
     if (pixel.other_count == 0 || !is_same(z_mm, pixel.other_mm)) {
       pixel.other_mm = z_mm;
       pixel.other_count = 1;

@@ -92,12 +92,13 @@ bool ModelPieces::look_alike(const Look& a, const Look& b) {
   std::vector<std::uint64_t> different;
   std::ranges::set_symmetric_difference(a.places, b.places, std::back_inserter(different));
   const auto size = static_cast<double>(a.places.size() + b.places.size());
+  if (static_cast<double>(different.size()) > kSameLook * size ||
+      std::abs(a.level - b.level) > kSameLevel)
+    return false;
   const auto things = std::ranges::count_if(different, [&](std::uint64_t key) {
     return !is_near(key, a.places) || !is_near(key, b.places);
   });
-  if (things > kSameThings) return false;
-  return static_cast<double>(different.size()) <= kSameLook * size &&
-         std::abs(a.level - b.level) <= kSameLevel;
+  return things <= kSameThings;
 }
 
 bool ModelPieces::update(const model::RoomMesh& mesh, std::uint64_t version) {
