@@ -41,11 +41,11 @@ constexpr auto kLookingWarmUp = 5s;
 constexpr double kRadius_m = 1.5;  // of the walk round the room
 constexpr int kManyViewers = 500;
 
-double half_angle() {
-  return render::half_angle_rad({.world_from_view = {},
-                                 .vertical_fov_rad = kLookedFov_rad,
-                                 .width = kLookedSide_px,
-                                 .height = kLookedSide_px});
+ViewAngles looked_angles() {
+  return render::view_angles({.world_from_view = {},
+                              .vertical_fov_rad = kLookedFov_rad,
+                              .width = kLookedSide_px,
+                              .height = kLookedSide_px});
 }
 
 struct Room {
@@ -149,9 +149,9 @@ class LateSensors {
     const auto lens = client::message_from_calibration(sensor.calibration).depth();
     const hub::SeenSurface surface = hub::seen_surface(
         sensor::coarse_depth(sensor.picture->frame.depth_mm), lens, sensor.pose.world_from_depth);
-    const hub::ViewCone view{world_from_head.translation_m.cast<float>(),
-                             -world_from_head.rotation.col(2).cast<float>(),
-                             static_cast<float>(half_angle())};
+    const ViewCone view{world_from_head.translation_m.cast<float>(),
+                        -world_from_head.rotation.col(2).cast<float>(), looked_angles(),
+                        world_from_head.rotation.col(1).cast<float>()};
     constexpr float kRightAngle = 1.5708F;
     hub::VisibilityOptions strict;
     strict.all = strict.base_only = {0, kRightAngle, strict.all.enough};
@@ -179,7 +179,7 @@ struct Walk {
 void send_pose(client::Subscriber& viewer, const RigidTransform& world_from_head) {
   client::PersonPose pose;
   pose.world_from_head = world_from_head;
-  pose.view_half_angle_rad = half_angle();
+  pose.view = looked_angles();
   viewer.send_pose(pose);
 }
 
@@ -300,7 +300,7 @@ double decision_cost(const client::RoomSnapshot& room, const ViewerPath& path) {
     for (int viewer = 0; viewer < kManyViewers; ++viewer) {
       client::PersonPose pose;
       pose.world_from_head = path.at(time + viewer * 1s);
-      pose.view_half_angle_rad = half_angle();
+      pose.view = looked_angles();
       poses.push_back(client::message_from_pose(pose));
     }
     const std::clock_t before = std::clock();

@@ -44,9 +44,15 @@ RateOutcome RateRoom::measure(std::chrono::milliseconds duration) {
   Arrivals arrivals = watcher_->take();
   outcome.ages_ms = std::move(arrivals.ages_ms);
   outcome.small_frames = arrivals.small_frames;
+  std::size_t most_frames = 0;
   for (const auto& [sensor, times_ms] : arrivals.times_ms) {
+    double longest_gap_ms = 0;
     for (std::size_t i = 1; i < times_ms.size(); ++i)
-      outcome.longest_gap_ms = std::max(outcome.longest_gap_ms, times_ms[i] - times_ms[i - 1]);
+      longest_gap_ms = std::max(longest_gap_ms, times_ms[i] - times_ms[i - 1]);
+    outcome.longest_gap_ms = std::max(outcome.longest_gap_ms, longest_gap_ms);
+    if (times_ms.size() <= most_frames) continue;
+    most_frames = times_ms.size();
+    outcome.best_sensor = {static_cast<double>(most_frames), longest_gap_ms};
   }
   return outcome;
 }
@@ -70,7 +76,7 @@ Result<RateOutcome> RateRoom::measure_turning(std::chrono::milliseconds duration
       const bool is_back = step * kPoseEvery / kTurnEvery % 2 == 1;
       pose.world_from_head.translation_m = {0, 1.6, 0};
       if (is_back) pose.world_from_head.rotation = Eigen::Vector3d(-1, 1, -1).asDiagonal();
-      pose.view_half_angle_rad = kHalfAngle_rad;
+      pose.view.half_angle_rad = kHalfAngle_rad;
       viewer->send_pose(pose);
       std::this_thread::sleep_for(kPoseEvery);
     }

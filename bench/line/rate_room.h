@@ -23,6 +23,9 @@ struct RateOutcome {
   std::vector<double> ages_ms;
   std::size_t small_frames = 0;  // of the small rendition
   double longest_gap_ms = 0;     // between two frames of a sensor on arrival
+  struct BestSensor {
+    double frames = 0, longest_gap_ms = 0;
+  } best_sensor;  // of the one of which most frames came
   double seconds = 0;
 };
 

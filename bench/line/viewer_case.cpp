@@ -25,6 +25,10 @@ void add_viewer_figures(const std::string& name, const RateOutcome& outcome, dou
       {name + "of these small", "%",
        100 * static_cast<double>(outcome.small_frames) / std::max(1.0, frames)});
   report.figures.push_back({name + "longest freeze of a sensor", "ms", outcome.longest_gap_ms});
+  const RateOutcome::BestSensor& best = outcome.best_sensor;
+  report.figures.push_back(
+      {name + "frames of the sensor that comes most", "1/s", best.frames / outcome.seconds});
+  report.figures.push_back({name + "its longest freeze", "ms", best.longest_gap_ms});
   report.figures.push_back({name + "age on arrival, p50", "ms", ages.p50});
   report.figures.push_back({name + "age on arrival, p95", "ms", ages.p95});
   report.figures.push_back({name + "share of the line", "%", 100 * outcome.line.mean() / mbit});

@@ -158,7 +158,7 @@ Result<MovedFurnitureReport> run_moved_furniture(
   pose.world_from_head = world_from_optical_looking_at(rig->eye_m, {0, 0.8, 0});
   pose.world_from_head.rotation.col(1) *= -1;  // as a head: y up, and it looks along -z
   pose.world_from_head.rotation.col(2) *= -1;
-  pose.view_half_angle_rad = options.looks ? kViewHalfAngle_rad : 0;
+  pose.view.half_angle_rad = options.looks ? kViewHalfAngle_rad : 0;
 
   MovedFurnitureReport report;
   KeptModel kept;

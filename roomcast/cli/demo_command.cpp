@@ -181,7 +181,8 @@ Status watch_room(const Feeds& feeds, std::uint16_t port, double seconds,
 }
 
 /// Recorders for the page's console; null where there is neither a folder nor a home.
-std::shared_ptr<hub::daemon::HubRecorders> make_recorders(const DemoOptions& options,
+std::shared_ptr<hub::daemon::HubRecorders> make_recorders(const hub::daemon::OwnHub& own,
+                                                          const DemoOptions& options,
                                                           const LogSink& log) {
   std::filesystem::path folder = options.recordings;
   if (folder.empty()) {
@@ -189,7 +190,7 @@ std::shared_ptr<hub::daemon::HubRecorders> make_recorders(const DemoOptions& opt
     if (!data) return nullptr;
     folder = *data / "recordings";
   }
-  return std::make_shared<hub::daemon::HubRecorders>(std::move(folder), log);
+  return std::make_shared<hub::daemon::HubRecorders>(own, std::move(folder), log);
 }
 
 /// The address of the page, for a person to open. An admin's link has a one-time code: it is no
@@ -213,24 +214,23 @@ Status run_demo(const DemoOptions& options) {
   hub_options.rooms = {{.name = options.rig.empty() ? "demo" : "recording"}};
   hub_options.web_directory = find_web_directory(options.web);
   hub_options.log = stderr_log("demo", options.verbose);
-  const auto models = std::make_shared<hub::daemon::HubModels>(std::nullopt, hub_options.log);
+  hub::daemon::OwnHub own;
+  const auto models = std::make_shared<hub::daemon::HubModels>(own, std::nullopt, hub_options.log);
   hub_options.models = models;
-  hub::daemon::HubAligners aligners(hub_options.log);
+  hub::daemon::HubAligners aligners(own, hub_options.log);
   hub_options.on_room_in_use = [&aligners, models](const std::string& room) {
     aligners.start(room);
     models->start(room);
   };
-  const auto recorders = make_recorders(options, hub_options.log);
+  const auto recorders = make_recorders(own, options, hub_options.log);
   hub_options.recordings = recorders;
   if (options.admin_link) {
     hub_options.first_link = {.room = std::string(hub::kAllRooms), .role = hub::TokenRole::kAdmin};
   }
   auto hub = hub::HubServer::open(std::move(hub_options));
   if (!hub) return hub.error();
-  const hub::daemon::OwnHub own{.port = (*hub)->port(), .certificate = {}};
-  aligners.serve(own, (*hub)->own_token());
-  if (recorders) recorders->serve(own, (*hub)->own_token());
-  models->serve(own, (*hub)->own_token());
+  own.opened({.port = (*hub)->port()}, (*hub)->own_token());
+  models->start_kept();
   const std::jthread hub_thread([&hub](const std::stop_token& end) { (*hub)->run(end); });
 
   auto feeds = start_feeds(options, *specs, (*hub)->port(), stop.token());

@@ -151,16 +151,17 @@ void print_where(const HubPlan& plan, std::uint16_t port) {
 }
 
 /// Reloads renewed certificates when the hub's certificate comes from files.
-std::unique_ptr<hub::daemon::CertificateWatch> watch_certificate(
-    const HubPlan& plan, hub::HubServer& server,
-    const std::function<void(const net::Fingerprint&)>& trust, std::atomic<bool>& reload,
-    const LogSink& log) {
+std::unique_ptr<hub::daemon::CertificateWatch> watch_certificate(const HubPlan& plan,
+                                                                 hub::HubServer& server,
+                                                                 hub::daemon::OwnHub& own,
+                                                                 std::atomic<bool>& reload,
+                                                                 const LogSink& log) {
   if (plan.config.tls_cert.empty()) return nullptr;
-  const auto take = [&server, trust](const net::Certificate& certificate) -> Status {
+  const auto take = [&server, &own](const net::Certificate& certificate) -> Status {
     auto tls = net::TlsServerContext::create(certificate);
     if (!tls) return tls.error();
     server.replace_tls(*std::move(tls));
-    trust(certificate.fingerprint());
+    own.trust(certificate.fingerprint());
     return {};
   };
   return std::make_unique<hub::daemon::CertificateWatch>(plan.config.tls_cert, plan.config.tls_key,
@@ -183,22 +184,23 @@ hub::daemon::Retention retention_of(const hub::HubConfig& config) {
 
 /// Null where no folder for recordings is configured.
 std::shared_ptr<hub::daemon::HubRecorders> make_recorders(
-    const hub::HubConfig& config, const std::optional<std::filesystem::path>& data,
-    const LogSink& log) {
+    const hub::daemon::OwnHub& own, const hub::HubConfig& config,
+    const std::optional<std::filesystem::path>& data, const LogSink& log) {
   const hub::daemon::Retention retention = retention_of(config);
   if (!config.recordings.empty())
-    return std::make_shared<hub::daemon::HubRecorders>(config.recordings, log, retention);
-  return data ? std::make_shared<hub::daemon::HubRecorders>(*data / "recordings", log, retention)
+    return std::make_shared<hub::daemon::HubRecorders>(own, config.recordings, log, retention);
+  return data ? std::make_shared<hub::daemon::HubRecorders>(own, *data / "recordings", log,
+                                                            retention)
               : nullptr;
 }
 
 /// Null where none are to be kept.
 std::shared_ptr<hub::daemon::HubModels> make_models(
-    const hub::HubConfig& config, const std::optional<std::filesystem::path>& data,
-    const LogSink& log) {
+    const hub::daemon::OwnHub& own, const hub::HubConfig& config,
+    const std::optional<std::filesystem::path>& data, const LogSink& log) {
   if (!config.model) return nullptr;
   return std::make_shared<hub::daemon::HubModels>(
-      data ? std::optional(*data / "models") : std::nullopt, log);
+      own, data ? std::optional(*data / "models") : std::nullopt, log);
 }
 
 /// Null where none is configured.
@@ -264,11 +266,13 @@ Status run_hub(const HubFlags& flags) {
   if (!folder) return folder.error();
   options.data_folder = *std::move(folder);
   options.log = log;
-  const auto recorders = make_recorders(plan->config, options.data_folder, log);
+  hub::daemon::OwnHub own;
+  const auto recorders = make_recorders(own, plan->config, options.data_folder, log);
   options.recordings = recorders;
-  const auto models = make_models(plan->config, options.data_folder, log);
+  const auto models = make_models(own, plan->config, options.data_folder, log);
   options.models = models;
-  hub::daemon::HubAligners aligners(log);  // ends before the models, which take time to be written
+  hub::daemon::HubAligners aligners(own,
+                                    log);  // ends before the models, which take time to be written
   auto study = open_study(plan->config, options.data_folder);
   if (!study) return study.error();
   options.study = *study;
@@ -280,20 +284,13 @@ Status run_hub(const HubFlags& flags) {
   options.open_backplane = backplane_of(*plan, aligners, log);
   auto server = hub::HubServer::open(std::move(options));
   if (!server) return server.error();
-  const hub::daemon::OwnHub own{.listen_address = plan->listen.address,
-                                .port = (*server)->port(),
-                                .certificate = plan->certificate
-                                                   ? std::optional(plan->certificate->fingerprint())
-                                                   : std::nullopt};
-  aligners.serve(own, (*server)->own_token());
-  if (recorders) recorders->serve(own, (*server)->own_token());
-  if (models) models->serve(own, (*server)->own_token());
-  const auto trust = [&](const net::Fingerprint& certificate) {
-    aligners.trust(certificate);
-    if (recorders) recorders->trust(certificate);
-    if (models) models->trust(certificate);
-  };
-  const auto watch = watch_certificate(*plan, **server, trust, reload, log);
+  own.opened({.listen_address = plan->listen.address,
+              .port = (*server)->port(),
+              .certificate = plan->certificate ? std::optional(plan->certificate->fingerprint())
+                                               : std::nullopt},
+             (*server)->own_token());
+  if (models) models->start_kept();
+  const auto watch = watch_certificate(*plan, **server, own, reload, log);
   if (::geteuid() == 0) {
     log(LogLevel::kWarning,
         "this hub runs as root without need; run it as a user of its own, as its systemd service "

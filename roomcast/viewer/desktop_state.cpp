@@ -107,7 +107,7 @@ client::PersonPose DesktopState::own_pose() const {
   client::PersonPose pose;
   pose.world_from_head = world_from_view(view());
   pose.pointer = pointer_;
-  if (drawn_camera_) pose.view_half_angle_rad = render::half_angle_rad(*drawn_camera_);
+  if (drawn_camera_) pose.view = render::view_angles(*drawn_camera_);
   return pose;
 }
 

@@ -148,7 +148,8 @@ Status check_viewer_pose(const pb::ViewerPose& pose) {
   const pb::Beam& beam = pose.pointer();  // all zero if there is none
   if (!is_within_reach(beam.from()) || !is_within_reach(beam.to()))
     return malformed("a pointer's beam is out of range");
-  return check_view_half_angle(pose.view_half_angle());
+  return check_view_half_angles(
+      {pose.view_half_angle(), pose.view_half_width(), pose.view_half_height()});
 }
 
 Status check_note(const std::string& note) {

@@ -146,6 +146,19 @@ void add_rendition_messages(std::vector<GoldenMessage>& messages, FrameHeader he
       golden_control("control_key_request_small", R"({"keyRequest":{"sensorId":3,"small":true}})"));
 }
 
+/// Since views have sides, and sensors are held back.
+void add_line_messages(std::vector<GoldenMessage>& messages) {
+  messages.push_back(golden_control(
+      "control_viewer_pose_sides",
+      R"({"viewerPose":{"head":{"x":1.5,"y":1.75,"z":-2,"qw":1},"viewHalfAngle":0.75,"viewHalfWidth":0.625,"viewHalfHeight":0.5}})"));
+  messages.push_back(golden_control(
+      "control_watched_from_sides",
+      R"({"watchedFrom":{"cones":[{"eye":{"x":0.5},"forward":{"z":-1},"halfAngle":0.75,"up":{"y":1},"halfWidth":0.625,"halfHeight":0.5}]}})"));
+  messages.push_back(
+      golden_control("control_unseen_sensors_held_back",
+                     R"({"unseenSensors":{"baseOnly":[1,2],"paused":[0],"heldBack":[2]}})"));
+}
+
 void add_settings_messages(std::vector<GoldenMessage>& messages) {
   messages.push_back(golden_control(
       "control_settings_request",
@@ -227,6 +240,7 @@ std::vector<GoldenMessage> golden_messages() {
   add_settings_messages(messages);
   add_view_messages(messages);
   add_rendition_messages(messages, key);
+  add_line_messages(messages);
   return messages;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/wire/visibility_check.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "roomcast/wire/limits.h"
@@ -23,7 +24,8 @@ Status check_coarse_depth(const pb::CoarseDepth& depth) {
 }
 
 Status check_unseen_sensors(const pb::UnseenSensors& unseen) {
-  if (unseen.base_only_size() > int{kMaxSensors} || unseen.paused_size() > int{kMaxSensors})
+  if (unseen.base_only_size() > int{kMaxSensors} || unseen.paused_size() > int{kMaxSensors} ||
+      unseen.held_back_size() > int{kMaxSensors})
     return Error{ErrorCode::kTooLarge, "there are more unseen sensors than sensors in a room"};
   return {};
 }
@@ -37,14 +39,18 @@ Status check_frame_demand(const pb::FrameDemand& demand) {
 
 Status check_cone(const pb::ViewCone& cone) {
   const auto is_near = [](float metres) { return std::abs(metres) <= kMaxPosition_m; };
-  const pb::Point &eye = cone.eye(), &forward = cone.forward();
+  const pb::Point &eye = cone.eye(), &forward = cone.forward(), &up = cone.up();
   if (!is_near(eye.x()) || !is_near(eye.y()) || !is_near(eye.z()))  // false for NaN
     return malformed_visibility("a viewer's eye must be within 10 km");
   constexpr float kRounding = 0.01F;
-  const float length = std::hypot(forward.x(), forward.y(), forward.z());
-  if (!(std::abs(length - 1) <= kRounding))
-    return malformed_visibility("a direction of view must be a unit vector");
-  return check_view_half_angle(cone.half_angle());
+  const auto is_unit = [](const pb::Point& way) {
+    return std::abs(std::hypot(way.x(), way.y(), way.z()) - 1) <= kRounding;  // false for NaN
+  };
+  if (!is_unit(forward)) return malformed_visibility("a direction of view must be a unit vector");
+  const float along = forward.x() * up.x() + forward.y() * up.y() + forward.z() * up.z();
+  if (cone.has_up() && (!is_unit(up) || std::abs(along) > kRounding))
+    return malformed_visibility("what is up in a view must be a unit vector across its direction");
+  return check_view_half_angles({cone.half_angle(), cone.half_width(), cone.half_height()});
 }
 
 Status check_watched_from(const pb::WatchedFrom& watched) {
@@ -73,9 +79,12 @@ Status check_visibility(const pb::Control& control) {
   }
 }
 
-Status check_view_half_angle(float angle_rad) {
-  const bool is_angle = angle_rad >= 0 && angle_rad <= kMaxViewHalfAngle_rad;  // false for NaN
-  if (!is_angle) return malformed_visibility("half an angle of view must be 0 to pi");
+Status check_view_half_angles(std::initializer_list<float> angles_rad) {
+  const auto is_angle = [](float angle_rad) {
+    return angle_rad >= 0 && angle_rad <= kMaxViewHalfAngle_rad;  // false for NaN
+  };
+  if (!std::ranges::all_of(angles_rad, is_angle))
+    return malformed_visibility("half an angle of view must be 0 to pi");
   return {};
 }
 

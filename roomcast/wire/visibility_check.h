@@ -3,6 +3,8 @@
 // §3 and §4.
 #pragma once
 
+#include <initializer_list>
+
 #include "roomcast/core/result.h"
 #include "roomcast/wire/control.pb.h"
 
@@ -14,7 +16,7 @@ inline constexpr int kMaxViewCones = 48;
 
 /// Of CoarseDepth, FrameDemand, UnseenSensors and WatchedFrom; others pass.
 [[nodiscard]] Status check_visibility(const pb::Control& control);
-/// Of a ViewerPose; 0: unknown.
-[[nodiscard]] Status check_view_half_angle(float angle_rad);
+/// Half angles of view, radians; 0: unknown.
+[[nodiscard]] Status check_view_half_angles(std::initializer_list<float> angles_rad);
 
 }  // namespace roomcast::wire

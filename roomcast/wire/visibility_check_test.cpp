@@ -61,6 +61,14 @@ TEST(VisibilityCheck, half_an_angle_of_view_is_at_most_half_a_turn) {
   for (const float angle : {-0.1F, 3.2F, std::numeric_limits<float>::quiet_NaN()}) {
     pose.set_view_half_angle(angle);
     EXPECT_FALSE(check_control(control)) << angle;
+    pose.set_view_half_angle(1);
+    pose.set_view_half_width(angle);
+    EXPECT_FALSE(check_control(control)) << angle;
+    pose.set_view_half_width(1);
+    pose.set_view_half_height(angle);
+    EXPECT_FALSE(check_control(control)) << angle;
+    pose.set_view_half_height(1);
+    EXPECT_TRUE(check_control(control));
   }
 }
 
@@ -81,6 +89,7 @@ pb::ViewCone& add_cone(pb::Control& control) {
   cone.mutable_eye()->set_y(-1.5F);
   cone.mutable_forward()->set_z(1);
   cone.set_half_angle(0.8F);
+  cone.mutable_up()->set_y(1);
   return cone;
 }
 
@@ -103,7 +112,15 @@ TEST(VisibilityCheck, a_cone_of_view_has_an_eye_a_direction_and_an_angle) {
       [](auto& cone) { cone.mutable_forward()->set_y(1); },
       [](auto& cone) { cone.mutable_forward()->set_x(kNone); },
       [](auto& cone) { cone.set_half_angle(-0.1F); },
-      [](auto& cone) { cone.set_half_angle(kNone); }};
+      [](auto& cone) { cone.set_half_angle(kNone); },
+      [](auto& cone) { cone.set_half_width(-0.1F); },
+      [](auto& cone) { cone.set_half_height(kNone); },
+      [](auto& cone) { cone.mutable_up()->set_x(1); },
+      [](auto& cone) { cone.mutable_up()->set_x(kNone); },
+      [](auto& cone) {
+        cone.mutable_up()->set_y(0);
+        cone.mutable_up()->set_z(1);
+      }};
   for (const auto& spoil : faults) {
     pb::Control control;
     add_cone(control);

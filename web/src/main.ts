@@ -352,7 +352,7 @@ class Page {
     else this.standpoint?.update(now_ms);
     this.marking?.update();
     const wantsAll = this.options.record || this.console?.isOpen; // the console shows every sensor
-    this.posePublisher?.update(now_ms, wantsAll ? 0 : this.stage.halfAngle);
+    this.posePublisher?.update(now_ms, wantsAll ? undefined : this.stage.viewAngles);
   }
 
   private viewChanged(): void {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides when to send this viewer's head and hand poses to the hub: after a movement, or when it sees more or less, at
 // most 20 times a second, always including the final pose, and again when a new viewer joins.
-import type { Body } from './stream/protocol';
+import type { Body, ViewAngles } from './stream/protocol';
 import { orientation, type ViewState } from './view/view_state';
 
 const interval_ms = 50;
@@ -14,11 +14,15 @@ export function bodyOf(view: ViewState): Body {
   return { head, leftHand: undefined, rightHand: undefined };
 }
 
+function isSame(a: ViewAngles | undefined, b: ViewAngles | undefined): boolean {
+  return a?.halfAngle === b?.halfAngle && a?.halfWidth === b?.halfWidth && a?.halfHeight === b?.halfHeight;
+}
+
 export class PosePublisher {
   private sent_ms = -Infinity;
   private body: Body | undefined;
   private isUnsent = false;
-  private viewHalfAngle = 0; // as sent
+  private view: ViewAngles | undefined; // as sent
 
   constructor(private readonly send: (body: Body) => void) {}
 
@@ -27,13 +31,13 @@ export class PosePublisher {
     this.isUnsent = true;
   }
 
-  /** Call once per screen refresh. `viewHalfAngle` as in Body. */
-  update(now_ms: number, viewHalfAngle: number): void {
-    const isUnsent = this.isUnsent || viewHalfAngle !== this.viewHalfAngle;
+  /** Call once per screen refresh. `view` as in Body. */
+  update(now_ms: number, view: ViewAngles | undefined): void {
+    const isUnsent = this.isUnsent || !isSame(view, this.view);
     if (!this.body || !isUnsent || now_ms - this.sent_ms < interval_ms) return;
-    this.send({ ...this.body, viewHalfAngle });
+    this.send({ ...this.body, view });
     this.sent_ms = now_ms;
     this.isUnsent = false;
-    this.viewHalfAngle = viewHalfAngle;
+    this.view = view;
   }
 }

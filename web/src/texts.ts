@@ -265,6 +265,8 @@ export const problemTexts = {
   noSensors: (hub: string) => `No sensor is in the room yet. To add one: roomcast sensor --source sim --hub ${hub}`,
   allGone: 'All sensors are gone; the last pictures are shown in grey.',
   gone: (name: string) => `Sensor ${name} is gone; its last picture is shown in grey.`,
+  heldBack: (names: readonly string[]) =>
+    `Your connection is too slow for all sensors: now and then only comes a picture of ${names.join(', ')}.`,
   coarse: 'Your connection is slow, so some sensors send you coarser pictures and fewer of them.',
   silent: (name: string) => `Sensor ${name} is silent.`,
   silentFor: (seconds: number) => `Its last picture is ${seconds} s old.`,

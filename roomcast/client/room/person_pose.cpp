@@ -47,7 +47,9 @@ wire::pb::ViewerPose message_from_pose(const PersonPose& pose) {
     write_point(pose.pointer->from_m, *message.mutable_pointer()->mutable_from());
     write_point(pose.pointer->to_m, *message.mutable_pointer()->mutable_to());
   }
-  message.set_view_half_angle(static_cast<float>(pose.view_half_angle_rad));
+  message.set_view_half_angle(static_cast<float>(pose.view.half_angle_rad));
+  message.set_view_half_width(static_cast<float>(pose.view.half_width_rad));
+  message.set_view_half_height(static_cast<float>(pose.view.half_height_rad));
   return message;
 }
 

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/geometry/view_cone.h"
 #include "roomcast/wire/control.pb.h"
 
 namespace roomcast::client {
@@ -21,9 +22,9 @@ struct PersonPose {
   RigidTransform world_from_head;
   std::optional<RigidTransform> world_from_left_hand, world_from_right_hand;  // while tracked
   std::optional<PointerBeam> pointer;                                         // while pointing
-  /// One's own only: the largest angle between the head's -z axis and a direction that one sees. By
-  /// it the hub leaves out frames of sensors whose surfaces are not seen. 0: send all.
-  double view_half_angle_rad = 0;
+  /// One's own only: how far one sees from the head's -z axis. By it the hub leaves out frames of
+  /// sensors whose surfaces are not seen. All 0: send all.
+  ViewAngles view = {};
 };
 
 /// Without the viewer's ID, which the hub adds.

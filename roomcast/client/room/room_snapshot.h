@@ -42,6 +42,8 @@ struct RoomSensor {
   /// this viewer cannot see what the sensor shows. The picture is old.
   bool is_paused = false;
   bool is_small = false;  // the picture is of its small rendition: this viewer's line takes no more
+  /// This viewer's line does not take even all small renditions: only key frames of this one come.
+  bool is_held_back = false;
   bool speaking = false;  // its microphone is heard; these two are known to viewers that hear
   bool muted = false;     // its microphone, by an admin
   std::uint64_t frames_received = 0;

@@ -34,7 +34,7 @@ void RoomState::welcome(const wire::pb::Welcome& welcome) {
   room_.sensors_known = false;
   voices_.Clear();
   complete_set_ = {};
-  for (RoomSensor& sensor : room_.sensors) sensor.is_paused = false;
+  for (RoomSensor& sensor : room_.sensors) sensor.is_paused = sensor.is_held_back = false;
   marks_.join(welcome.author_tag());
   room_.marks = marks_.all();
   ++room_.people_revision;
@@ -81,8 +81,9 @@ void RoomState::unseen(const wire::pb::UnseenSensors& unseen) {
   for (RoomSensor& sensor : room_.sensors) {
     const bool is_paused = names(unseen.paused(), sensor.id);
     if (is_paused) sensor.is_paused = true;  // until its next frame
+    sensor.is_held_back = names(unseen.held_back(), sensor.id);
     SensorDecoding& decoding = decoding_[sensor.id];
-    decoding.has_gaps = is_paused || names(unseen.base_only(), sensor.id);
+    decoding.has_gaps = is_paused || sensor.is_held_back || names(unseen.base_only(), sensor.id);
     decoding.newest_seq.reset();
   }
 }

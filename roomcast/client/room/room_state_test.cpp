@@ -231,6 +231,20 @@ TEST_F(RoomStateTest, frames_that_are_left_out_because_nobody_sees_them_are_not_
   EXPECT_EQ(state.snapshot()->sensors[0].frames_missed, 1U) << "now everything is to come";
 }
 
+TEST_F(RoomStateTest, of_a_sensor_that_is_held_back_frames_are_not_missed) {
+  ASSERT_TRUE(state.frame(sensor.message(header_of(0, 0), depth_picture(0))).ok());
+  wire::pb::UnseenSensors unseen;
+  unseen.add_held_back(0);
+  state.unseen(unseen);
+  EXPECT_TRUE(state.snapshot()->sensors[0].is_held_back);
+  EXPECT_FALSE(state.snapshot()->sensors[0].is_paused) << "its picture stays";
+  ASSERT_TRUE(state.frame(sensor.message(header_of(0, 90), depth_picture(0))).ok());
+  EXPECT_TRUE(state.snapshot()->sensors[0].is_held_back) << "it was a key frame";
+  EXPECT_EQ(state.snapshot()->sensors[0].frames_missed, 0U);
+  state.unseen({});
+  EXPECT_FALSE(state.snapshot()->sensors[0].is_held_back);
+}
+
 TEST_F(RoomStateTest, a_set_may_end_without_its_last_frame) {
   wire::FrameHeader header = header_of(0, 4);
   header.last = false;

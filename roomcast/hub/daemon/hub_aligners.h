@@ -6,35 +6,20 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "roomcast/alignment/service/room_aligner.h"
 #include "roomcast/core/log.h"
-#include "roomcast/core/result.h"
-#include "roomcast/net/tls/fingerprint.h"
+#include "roomcast/hub/daemon/own_hub.h"
 
 namespace roomcast::hub::daemon {
 
-struct OwnHub {
-  std::string listen_address = "127.0.0.1";
-  std::uint16_t port = 0;
-  std::optional<net::Fingerprint> certificate;  // if the hub uses TLS
-};
-
-/// The URL of the hub for clients on its own machine.
-[[nodiscard]] std::string own_hub_url(const OwnHub& hub);
-
 class HubAligners {
  public:
-  explicit HubAligners(LogSink log) : log_(std::move(log)) {}
-
-  /// The hub is open and accepts this token. Must be called before the hub runs.
-  void serve(OwnHub hub, std::string token);
-  /// The hub's certificate was renewed.
-  void trust(const net::Fingerprint& certificate);
+  /// `hub` must outlive the aligners.
+  HubAligners(const OwnHub& hub, LogSink log) : hub_(hub), log_(std::move(log)) {}
 
   /// A room has its first sensor.
   void start(const std::string& room);
@@ -42,10 +27,9 @@ class HubAligners {
   void stop(const std::string& room);
 
  private:
+  const OwnHub& hub_;
   const LogSink log_;
   std::mutex mutex_;
-  OwnHub hub_;
-  std::string token_;
   std::map<std::string, std::unique_ptr<alignment::RoomAligner>> aligners_;  // by room
   std::vector<std::jthread> ending_;  // each waits until an aligner has finished
 };

@@ -1,31 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/hub/daemon/hub_aligners.h"
 
-#include <gtest/gtest.h>
+#include <string>
+#include <vector>
 
-#include "roomcast/net/hub_url.h"
+#include <gtest/gtest.h>
 
 namespace roomcast::hub::daemon {
 namespace {
 
-TEST(HubAligners, a_hub_that_listens_everywhere_is_reached_on_loopback) {
-  OwnHub options;
-  options.port = 7600;
-  options.listen_address = "0.0.0.0";
-  EXPECT_EQ(own_hub_url(options), "ws://127.0.0.1:7600");
-  options.listen_address = "::";
-  EXPECT_EQ(own_hub_url(options), "ws://[::1]:7600");
-  options.listen_address = "192.168.1.5";
-  EXPECT_EQ(own_hub_url(options), "ws://192.168.1.5:7600");
-}
-
-TEST(HubAligners, an_encrypted_hub_is_trusted_by_its_certificate) {
-  OwnHub options;
-  options.port = 7600;
-  options.certificate.emplace();
-  const auto url = net::parse_hub_url(own_hub_url(options));
-  ASSERT_TRUE(url.ok()) << url.error().message;
-  EXPECT_EQ(url->pinned, options.certificate);
+TEST(HubAligners, an_aligner_that_cannot_begin_is_a_warning) {
+  OwnHub own;
+  own.opened({.listen_address = "no host", .port = 7600}, "token");
+  std::vector<std::string> warnings;
+  HubAligners aligners(own, [&warnings](LogLevel level, std::string_view line) {
+    if (level == LogLevel::kWarning) warnings.emplace_back(line);
+  });
+  aligners.start("room");
+  EXPECT_EQ(warnings.size(), 1U);
+  aligners.stop("room");  // there is none
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "roomcast/hub/daemon/hub_models.h"
 
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include "roomcast/net/http_request.h"
@@ -27,29 +26,20 @@ std::vector<std::string> rooms_in(const std::filesystem::path& folder) {
 
 }  // namespace
 
-void HubModels::serve(OwnHub hub, std::string token) {
-  {
-    const std::lock_guard lock(mutex_);
-    hub_ = std::move(hub);
-    token_ = std::move(token);
-  }
+void HubModels::start_kept() {
   if (!folder_) return;
   for (const std::string& room : rooms_in(*folder_)) start(room);
 }
 
-void HubModels::trust(const net::Fingerprint& certificate) {
-  const std::lock_guard lock(mutex_);
-  hub_.certificate = certificate;
-}
-
 void HubModels::start(const std::string& room) {
+  const OwnHub::Access access = hub_.access();
   const std::lock_guard lock(mutex_);
   auto& modeler = modelers_[room];
   if (modeler) return;  // it connects again by itself
   modeler = std::make_unique<recording::RoomModeler>(recording::RoomModelerOptions{
-      .hub_url = own_hub_url(hub_),
+      .hub_url = access.url,
       .room = room,
-      .token = token_,
+      .token = access.token,
       .folder = folder_ ? *folder_ / net::percent_encoded(room) : std::filesystem::path(),
       .log = log_});
 }

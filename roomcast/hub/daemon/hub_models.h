@@ -11,7 +11,7 @@
 #include <string>
 
 #include "roomcast/core/log.h"
-#include "roomcast/hub/daemon/hub_aligners.h"
+#include "roomcast/hub/daemon/own_hub.h"
 #include "roomcast/hub/runtime/room_models.h"
 #include "roomcast/recording/modeler/room_modeler.h"
 
@@ -19,16 +19,13 @@ namespace roomcast::hub::daemon {
 
 class HubModels final : public hub::RoomModels {
  public:
-  /// `folder`: for what is kept of the rooms; nothing: nothing is kept.
-  HubModels(std::optional<std::filesystem::path> folder, LogSink log)
-      : folder_(std::move(folder)), log_(std::move(log)) {}
+  /// `hub` must outlive the models. `folder`: for what is kept of the rooms; nothing: nothing is
+  /// kept.
+  HubModels(const OwnHub& hub, std::optional<std::filesystem::path> folder, LogSink log)
+      : hub_(hub), folder_(std::move(folder)), log_(std::move(log)) {}
 
-  /// The hub is open and accepts this token. Must be called before the hub runs. Starts with the
-  /// models on disk.
-  void serve(OwnHub hub, std::string token);
-  /// The hub's certificate was renewed.
-  void trust(const net::Fingerprint& certificate);
-
+  /// The hub is open: the models on disk begin.
+  void start_kept();
   /// A room has its first sensor.
   void start(const std::string& room);
 
@@ -36,11 +33,10 @@ class HubModels final : public hub::RoomModels {
       const std::string& room, std::uint64_t known) const override;
 
  private:
+  const OwnHub& hub_;
   const std::optional<std::filesystem::path> folder_;
   const LogSink log_;
   mutable std::mutex mutex_;
-  OwnHub hub_;
-  std::string token_;
   std::map<std::string, std::unique_ptr<recording::RoomModeler>> modelers_;  // by room
 };
 

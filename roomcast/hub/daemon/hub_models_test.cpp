@@ -15,8 +15,10 @@ namespace {
 
 TEST(HubModels, a_room_that_nobody_has_started_has_no_model) {
   const hub::RunningHub hub;
-  HubModels models({}, {});
-  models.serve({.port = hub.port(), .certificate = {}}, hub.server().own_token());
+  OwnHub own;
+  own.opened({.port = hub.port()}, hub.server().own_token());
+  HubModels models(own, {}, {});
+  models.start_kept();
   EXPECT_EQ(models.changes_after("room", 0), nullptr);
   models.start("room");
   models.start("room");
@@ -33,11 +35,13 @@ TEST(HubModels, what_is_on_disk_and_no_model_is_named_or_passed_over) {
   std::mutex mutex;
   {
     const hub::RunningHub hub({.rooms = {{.name = "my lab"}}});
-    HubModels models(folder.path(), [&](LogLevel, std::string_view line) {
+    OwnHub own;
+    own.opened({.port = hub.port()}, hub.server().own_token());
+    HubModels models(own, folder.path(), [&](LogLevel, std::string_view line) {
       const std::lock_guard lock(mutex);
       warnings.emplace_back(line);
     });
-    models.serve({.port = hub.port(), .certificate = {}}, hub.server().own_token());
+    models.start_kept();
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(10);
     while (std::chrono::steady_clock::now() < give_up) {
       const std::lock_guard lock(mutex);

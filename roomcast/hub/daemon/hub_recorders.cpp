@@ -21,8 +21,10 @@ constexpr std::chrono::seconds kUntilTheRest{1};  // many files are read a few a
 
 }  // namespace
 
-HubRecorders::HubRecorders(std::filesystem::path folder, LogSink log, Retention retention)
-    : folder_(std::move(folder)),
+HubRecorders::HubRecorders(const OwnHub& hub, std::filesystem::path folder, LogSink log,
+                           Retention retention)
+    : hub_(hub),
+      folder_(std::move(folder)),
       retention_(retention),
       log_(std::move(log)),
       worker_([this] { orders_.run(); }),
@@ -37,17 +39,6 @@ HubRecorders::~HubRecorders() {
   });
   keep_open_.reset();
   worker_.join();
-}
-
-void HubRecorders::serve(OwnHub hub, std::string token) {
-  const std::lock_guard lock(mutex_);
-  hub_ = std::move(hub);
-  token_ = std::move(token);
-}
-
-void HubRecorders::trust(const net::Fingerprint& certificate) {
-  const std::lock_guard lock(mutex_);
-  hub_.certificate = certificate;
 }
 
 /// The recording's state with the recorder's current counters.
@@ -114,11 +105,9 @@ Status HubRecorders::stop(const std::string& room) {
 Result<std::unique_ptr<recording::Recorder>> HubRecorders::open_recorder(
     const std::string& room, const std::string& by, const std::filesystem::path& file) const {
   recording::RecorderOptions options;
-  {
-    const std::lock_guard lock(mutex_);
-    options.hub_url = own_hub_url(hub_);
-    options.credential.token = token_;
-  }
+  OwnHub::Access access = hub_.access();
+  options.hub_url = std::move(access.url);
+  options.credential.token = std::move(access.token);
   options.room = room;
   options.path = file;
   options.by = by;

@@ -17,7 +17,7 @@
 #include <boost/asio/steady_timer.hpp>
 
 #include "roomcast/core/log.h"
-#include "roomcast/hub/daemon/hub_aligners.h"
+#include "roomcast/hub/daemon/own_hub.h"
 #include "roomcast/hub/daemon/recording_folder.h"
 #include "roomcast/hub/runtime/room_recordings.h"
 #include "roomcast/recording/recorder/recorder.h"
@@ -26,16 +26,12 @@ namespace roomcast::hub::daemon {
 
 class HubRecorders final : public hub::RoomRecordings {
  public:
-  /// Files go into `folder`, which is created when needed. `retention` is looked to at the start,
-  /// every ten minutes, and after each recording.
-  HubRecorders(std::filesystem::path folder, LogSink log, Retention retention = {});
+  /// `hub` must outlive the recorders. Files go into `folder`, which is created when needed.
+  /// `retention` is looked to at the start, every ten minutes, and after each recording.
+  HubRecorders(const OwnHub& hub, std::filesystem::path folder, LogSink log,
+               Retention retention = {});
   /// Finishes all recordings.
   ~HubRecorders() override;
-
-  /// The hub is open and accepts this token. Must be called before the hub runs.
-  void serve(OwnHub hub, std::string token);
-  /// The hub's certificate was renewed.
-  void trust(const net::Fingerprint& certificate);
 
   Status start(const std::string& room, const std::string& by) override;
   Status stop(const std::string& room) override;
@@ -61,12 +57,11 @@ class HubRecorders final : public hub::RoomRecordings {
   void retain_in(std::chrono::seconds time);
   void tell_of(const RecordingFolder::Retained& retained) const;
 
+  const OwnHub& hub_;
   const std::filesystem::path folder_;
   const Retention retention_;
   const LogSink log_;
   mutable std::mutex mutex_;
-  OwnHub hub_;
-  std::string token_;
   std::map<std::string, Recording> recordings_;  // by room
   boost::asio::io_context orders_{1};            // tasks of the worker; at most one per room
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> keep_open_ =

@@ -17,9 +17,7 @@ using hub::RecordingState;
 
 class HubRecordersTest : public testing::Test {
  protected:
-  HubRecordersTest() {
-    recorders_.serve({.port = hub_.port(), .certificate = {}}, hub_.server().own_token());
-  }
+  HubRecordersTest() { own_.opened({.port = hub_.port()}, hub_.server().own_token()); }
 
   /// Waits until the state is neither starting nor stopping, and returns it.
   hub::RoomRecording settled() {
@@ -35,7 +33,8 @@ class HubRecordersTest : public testing::Test {
 
   TemporaryFolder folder_;
   const hub::RunningHub hub_;
-  HubRecorders recorders_{folder_.path() / "recordings", {}};
+  OwnHub own_;
+  HubRecorders recorders_{own_, folder_.path() / "recordings", {}};
 };
 
 TEST_F(HubRecordersTest, each_recording_has_its_own_file) {

@@ -17,7 +17,9 @@ void PoseRelay::set(ViewerId viewer, const wire::pb::ViewerPose& pose, RoomTime 
   if (++person.poses_in_window > wire::kMaxPosesPerSecond) return;
   person.pose = pose;
   person.pose.set_viewer_id(viewer.value);
-  person.pose.clear_view_half_angle();  // is the hub's business only
+  person.pose.clear_view_half_angle();  // what the viewer sees is the hub's business only
+  person.pose.clear_view_half_width();
+  person.pose.clear_view_half_height();
   person.has_changed = has_changed_ = true;
 }
 

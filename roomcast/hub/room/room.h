@@ -121,6 +121,8 @@ class Room {
     bool hears = false;  // it wants audio packets
     std::string token_id;
     std::vector<SensorId> small = {};           // of these it gets the small rendition
+    std::vector<SensorId> held_back = {};       // of these it gets key frames only
+    SensorDetails details = {};                 // by what it sees
     wire::pb::ViewerStats reported_stats = {};  // reported by the viewer
     RateLimit people{kPeopleReportsPerSecond, 4 * kPeopleReportsPerSecond};
     std::uint64_t author_tag = 0;  // of its marks
@@ -187,6 +189,7 @@ class Room {
   void send_closed_sets(RoomTime now, RoomActions& out);
   void follow_surface(RoomSensor& sensor);
   void cull(RoomTime now, RoomActions& out);
+  [[nodiscard]] static wire::pb::Control left_out(const Viewer& viewer);
   void tell_views(RoomTime now, RoomActions& out);
   void send_roster(RoomTime now, RoomActions& out);
   void place_unplaced_in_row();

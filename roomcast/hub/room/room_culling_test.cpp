@@ -76,6 +76,36 @@ TEST_F(RoomTest, a_viewer_who_looks_elsewhere_is_told_and_gets_no_frames) {
   EXPECT_THAT(unseen(actions)[1].message.unseen_sensors().paused(), ElementsAre(0));
 }
 
+TEST_F(RoomTest, a_viewer_is_told_of_sensors_that_his_line_holds_back_beside_unseen_ones) {
+  const auto sensor = enter(sensor_with_lens("left"));
+  enter(sensor_with_lens("right"));
+  const auto viewer = enter(viewer_join());
+  const SensorId left{0}, right{1};
+  auto told =
+      unseen(room.small_needed(viewer, {.wanted = {left, right}, .held_back = {right}}, at(1s)));
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_THAT(told[0].to, ElementsAre(viewer));
+  EXPECT_THAT(told[0].message.unseen_sensors().held_back(), ElementsAre(1));
+  EXPECT_THAT(told[0].message.unseen_sensors().base_only(), ElementsAre(1))
+      << "for earlier viewers";
+  EXPECT_THAT(unseen(room.small_needed(viewer, {.wanted = {left}, .held_back = {right}}, at(1s))),
+              IsEmpty())
+      << "no news";
+
+  (void)room.control(sensor, sees_a_wall(), at(2s));
+  (void)room.control(viewer, looks_at_the_wall(false), at(2s));
+  actions = run_room(room, 12s);
+  told = unseen(actions);
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_THAT(told[0].message.unseen_sensors().base_only(), ElementsAre(0, 1));
+  EXPECT_THAT(told[1].message.unseen_sensors().paused(), ElementsAre(0));
+  EXPECT_THAT(told[1].message.unseen_sensors().held_back(), ElementsAre(1)) << "it stays so";
+  told = unseen(room.small_needed(viewer, {.held_back = {left}}, at(13s)));
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_THAT(told[0].message.unseen_sensors().paused(), ElementsAre(0));
+  EXPECT_THAT(told[0].message.unseen_sensors().held_back(), IsEmpty()) << "nothing comes of it";
+}
+
 TEST_F(RoomTest, a_viewer_who_turns_round_gets_a_key_frame) {
   const auto sensor = enter(sensor_with_lens("left"));
   const auto viewer = enter(viewer_join());

@@ -74,7 +74,10 @@ RoomActions Room::small_needed(ConnectionId viewer, const SmallNeeds& needs, Roo
   RoomActions out;
   const auto found = viewers_.find(viewer);
   if (found == viewers_.end()) return out;
-  found->second.small = needs.wanted;
+  Viewer& slow = found->second;
+  slow.small = needs.wanted;
+  if (std::exchange(slow.held_back, needs.held_back) != needs.held_back)
+    out.push_back(SendControl{{viewer}, left_out(slow)});
   tell_demands(now, out);
   for (const SensorId id : needs.keys) {
     RoomSensor* const sensor = sensors_.find(id);
@@ -128,18 +131,33 @@ void Room::follow_surface(RoomSensor& sensor) {
                               culling_.surface_of(sensor.id)));
 }
 
+/// What a viewer is told of the frames that are left out for it.
+pb::Control Room::left_out(const Viewer& viewer) {
+  pb::Control message;
+  pb::UnseenSensors& unseen = *message.mutable_unseen_sensors();
+  for (std::uint32_t sensor = 0; sensor < viewer.details.size(); ++sensor) {
+    if (viewer.details[sensor] == Detail::kBaseOnly) unseen.add_base_only(sensor);
+    if (viewer.details[sensor] == Detail::kPaused) unseen.add_paused(sensor);
+  }
+  for (const SensorId sensor : viewer.held_back) {
+    const Detail detail = detail_of(viewer.details, sensor);
+    if (detail == Detail::kPaused) continue;
+    unseen.add_held_back(sensor.value);
+    if (detail != Detail::kBaseOnly) unseen.add_base_only(sensor.value);
+  }
+  return message;
+}
+
 /// Tells viewers and their queues of the frames that are left out from now on.
 void Room::cull(RoomTime now, RoomActions& out) {
   std::vector<ViewCulling::Change> changes = culling_.update(now);
   for (ViewCulling::Change& change : changes) {
-    pb::Control message;
-    pb::UnseenSensors& unseen = *message.mutable_unseen_sensors();
-    for (std::uint32_t sensor = 0; sensor < change.details.size(); ++sensor) {
-      if (change.details[sensor] == Detail::kBaseOnly) unseen.add_base_only(sensor);
-      if (change.details[sensor] == Detail::kPaused) unseen.add_paused(sensor);
-    }
+    const auto found = viewers_.find(change.viewer);
+    if (found == viewers_.end()) continue;
+    Viewer& viewer = found->second;
+    viewer.details = change.details;
     out.push_back(SetDetails{change.viewer, std::move(change.details)});
-    out.push_back(SendControl{{change.viewer}, std::move(message)});
+    out.push_back(SendControl{{change.viewer}, left_out(viewer)});
     for (const SensorId sensor : change.resumed) {
       std::ranges::move(key_needed(sensor, now), std::back_inserter(out));
     }

@@ -6,10 +6,15 @@
 
 namespace roomcast::hub {
 
-bool RenditionChoice::offered(std::size_t sensors) {
+bool RenditionChoice::offered(std::size_t sensors, bool has_frames) {
+  small_sets_ += has_frames ? 1 : 0;
   if (++offered_sets_ < kWindow) return false;
   offered_sets_ = 0;
   const double dropped = std::exchange(dropped_sets_, 0);
+  if (small_sensors_ >= sensors) {
+    dropped_small_sets_ += dropped;
+    if (small_sets_ >= kSmallWindow && hold_back(sensors)) return true;
+  }
   if (dropped > kTooMuch * kWindow) return give_way(sensors, dropped > kFarTooMuch * kWindow);
   if (dropped > 0) {
     calm_windows_ = 0;
@@ -26,6 +31,19 @@ bool RenditionChoice::give_way(std::size_t sensors, bool is_far_too_much) {
   if (small_sensors_ >= sensors) return false;
   const std::size_t whole = sensors - small_sensors_;
   small_sensors_ += is_far_too_much ? whole : (whole + 1) / 2;
+  small_sets_ = 0;
+  dropped_small_sets_ = 0;
+  return true;
+}
+
+/// One sensor more, or half of those that come; at least one comes.
+bool RenditionChoice::hold_back(std::size_t sensors) {
+  const double share =
+      std::exchange(dropped_small_sets_, 0) / static_cast<double>(std::exchange(small_sets_, 0));
+  if (share <= kTooMuch || held_back_ + 1 >= sensors) return false;
+  calm_windows_ = 0;
+  if (std::exchange(has_tried_, false)) patience_ = std::min(2 * patience_, kMaxPatience);
+  held_back_ += share > kFarTooMuch ? (sensors - held_back_) / 2 : 1;
   return true;
 }
 
@@ -36,7 +54,7 @@ bool RenditionChoice::try_more() {
     return false;
   }
   has_tried_ = true;
-  --small_sensors_;
+  --(held_back_ > 0 ? held_back_ : small_sensors_);
   return true;
 }
 

@@ -39,11 +39,22 @@ void SendQueue::push_set(FrameSetPtr set) {
 void SendQueue::follow_line(const FrameSet& offered) {
   for (const SetFrame& frame : offered.frames) chain_of(frame.header.sensor).is_known = true;
   const auto known = std::ranges::count_if(chains_, &Chain::is_known);
-  if (renditions_.offered(static_cast<std::size_t>(known))) choose_renditions();
+  const bool has_frames = std::ranges::any_of(
+      offered.frames, [this](const SetFrame& frame) { return may_be_sent(frame.header, {}); });
+  if (renditions_.offered(static_cast<std::size_t>(known), has_frames)) choose_renditions();
+  if (!small_needs_.held_back.empty()) refresh_held_back();
+}
+
+/// Asks for a key frame of the next sensor that is held back, if nothing else waits for the line.
+void SendQueue::refresh_held_back() {
+  if (++sets_since_held_key_ < kSetsPerHeldKey || sets_.size() > 1) return;
+  sets_since_held_key_ = 0;
+  const auto& held_back = small_needs_.held_back;
+  small_needs_.keys.push_back(held_back[next_held_back_++ % held_back.size()]);
 }
 
 /// Sensors of which the viewer needs layer 0 only come small before the others, and later ones
-/// before those that came first.
+/// before those that came first. The last of them are held back.
 void SendQueue::choose_renditions() {
   std::vector<SensorId> by_importance;
   for (std::uint16_t id = 0; id < chains_.size(); ++id) {
@@ -55,11 +66,18 @@ void SendQueue::choose_renditions() {
       by_importance.size() - std::min(by_importance.size(), renditions_.small_sensors());
   small_needs_.wanted.assign(by_importance.begin() + static_cast<std::ptrdiff_t>(whole),
                              by_importance.end());
+  const std::size_t coming =
+      by_importance.size() - std::min(by_importance.size(), renditions_.held_back());
+  small_needs_.held_back.assign(by_importance.begin() + static_cast<std::ptrdiff_t>(coming),
+                                by_importance.end());
+  const auto is_among = [](const std::vector<SensorId>& sensors, std::uint16_t id) {
+    return std::ranges::find(sensors, SensorId{id}) != sensors.end();
+  };
   for (std::uint16_t id = 0; id < chains_.size(); ++id) {
-    const bool wants_small =
-        std::ranges::find(small_needs_.wanted, SensorId{id}) != small_needs_.wanted.end();
+    const bool wants_small = is_among(small_needs_.wanted, id);
     if (std::exchange(chains_[id].wants_small, wants_small) != wants_small)
       chains_[id].key_asked = false;
+    chains_[id].is_held_back = is_among(small_needs_.held_back, id);
   }
   small_changed_ = true;
 }
@@ -189,9 +207,11 @@ net::FramedMessagePtr SendQueue::next_of(QueuedSet& queued) {
   return std::exchange(queued.must_end, false) ? queued.set->end : nullptr;
 }
 
-/// A paused sensor goes on with a key frame, which is asked for then.
+/// A paused sensor goes on with a key frame, which is asked for then. What the viewer needs most
+/// now comes whole first.
 void SendQueue::set_details(SensorDetails details) {
   details_ = std::move(details);
+  if (renditions_.small_sensors() > 0) choose_renditions();
   for (std::uint16_t sensor = 0; sensor < details_.size(); ++sensor) {
     if (details_[sensor] == Detail::kPaused) forget(SensorId{sensor});
   }
@@ -200,7 +220,7 @@ void SendQueue::set_details(SensorDetails details) {
 bool SendQueue::is_wanted(const wire::FrameHeader& header, bool base_only) const {
   const Detail detail = detail_of(details_, header.sensor);
   if (detail == Detail::kPaused) return false;
-  if (detail == Detail::kKeyFrames) return header.key;
+  if (detail == Detail::kKeyFrames || is_held_back(header.sensor)) return header.key;
   return header.layer == 0 || (!base_only && detail == Detail::kAll);
 }
 
@@ -241,7 +261,13 @@ void SendQueue::ask_for_key(Chain& chain, const wire::FrameHeader& header) {
 /// What is wanted of it stays.
 void SendQueue::forget(SensorId sensor) {
   Chain& chain = chain_of(sensor);
-  chain = {.wants_small = chain.wants_small, .is_known = chain.is_known};
+  chain = {.wants_small = chain.wants_small,
+           .is_known = chain.is_known,
+           .is_held_back = chain.is_held_back};
+}
+
+bool SendQueue::is_held_back(SensorId sensor) const {
+  return sensor.value < chains_.size() && chains_[sensor.value].is_held_back;
 }
 
 SendQueue::Chain& SendQueue::chain_of(SensorId sensor) {

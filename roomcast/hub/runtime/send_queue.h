@@ -8,8 +8,9 @@
 // slow viewer loses its own frames, upper layers first, and delays no other viewer. Frames that
 // depend on a dropped frame are dropped too, because the receiver could not decode them. Frames of
 // sensors that the viewer does not need are left out; where that, or a drop, takes the last frame
-// of a set, a SetEnd follows the others. docs/spec/wire.md §2 (last paragraph), §3 "Back-pressure"
-// and "Only what a viewer looks at". Pure.
+// of a set, a SetEnd follows the others. Of sensors that are held back key frames come only, for
+// which the queue asks in turn while the line is idle. docs/spec/wire.md §2 (last paragraph), §3
+// "Back-pressure" and "Only what a viewer looks at". Pure.
 #pragma once
 
 #include <cstdint>
@@ -32,6 +33,8 @@ class SendQueue {
   /// So many sets of layer 0 may wait where no key frames wait behind them: while the line is busy
   /// with key frames. To drop one would take key frames again.
   static constexpr std::size_t kMaxQueuedBaseSets = 6;
+  /// Sets between two key frames of sensors that are held back.
+  static constexpr int kSetsPerHeldKey = 60;
 
   /// False: kMaxQueuedControlMessages wait already, and the receiver must be disconnected.
   [[nodiscard]] bool push_control(net::FramedMessagePtr message);
@@ -74,10 +77,11 @@ class SendQueue {
     bool broken = true;          // no reference frame: only a key frame can be decoded
     std::uint32_t base_seq = 0;  // sequence number of the newest layer-0 frame delivered
     bool key_asked = false;
-    bool is_small = false;     // the rendition that is delivered
-    bool wants_small = false;  // the rendition that is wanted: it begins with a key frame
-    bool has_small = false;    // small frames came
-    bool is_known = false;     // frames of this sensor came
+    bool is_small = false;      // the rendition that is delivered
+    bool wants_small = false;   // the rendition that is wanted: it begins with a key frame
+    bool has_small = false;     // small frames came
+    bool is_known = false;      // frames of this sensor came
+    bool is_held_back = false;  // only key frames are delivered
   };
 
   [[nodiscard]] net::FramedMessagePtr next_of(QueuedSet& queued);
@@ -85,11 +89,13 @@ class SendQueue {
   [[nodiscard]] bool may_deliver(const wire::FrameHeader& header);
   void follow_line(const FrameSet& offered);
   void choose_renditions();
+  void refresh_held_back();
   void ask_for_key(Chain& chain, const wire::FrameHeader& header);
   void count_dropped(const QueuedSet& queued);
   bool drop_superseded();
   [[nodiscard]] bool is_superseded(const QueuedSet& queued) const;
   [[nodiscard]] bool may_be_sent(const wire::FrameHeader& header, const QueuedSet& queued) const;
+  [[nodiscard]] bool is_held_back(SensorId sensor) const;
   [[nodiscard]] static bool is_about_to_switch(const Chain& chain);
 
   void drop_excess();
@@ -108,7 +114,9 @@ class SendQueue {
   bool allows_small_ = false;
   RenditionChoice renditions_;
   SmallNeeds small_needs_;
-  bool small_changed_ = false;  // small_needs_.wanted
+  bool small_changed_ = false;  // small_needs_.wanted and held_back
+  int sets_since_held_key_ = 0;
+  std::size_t next_held_back_ = 0;
   SensorDetails details_;
   std::uint64_t dropped_sets_ = 0;
   std::uint64_t dropped_audio_ = 0;

@@ -124,6 +124,66 @@ TEST_F(SlowLine, who_records_gets_the_full_rendition_only) {
   EXPECT_EQ(recorder.next(), nullptr);
 }
 
+TEST_F(SlowLine, of_a_sensor_that_is_held_back_key_frames_come_when_the_line_is_idle) {
+  constexpr SensorId kNeeded{0}, kLess{1};
+  send_queue.set_details({Detail::kAll, Detail::kBaseOnly});
+  std::uint32_t number = 0;
+  const auto offer_both = [&](bool less_is_key) {
+    const std::uint32_t base = number == 0 ? 0 : number - 1;
+    send_queue.push_set(frame_set_of({{kNeeded, number, number, 0, true},
+                                      {kNeeded, number, number},
+                                      {kLess, number, less_is_key ? number : base, 0, true},
+                                      {kLess, number, number}},
+                                     some_message()));
+    ++number;
+  };
+  SmallNeeds needs;
+  for (int i = 0; i < 500 && needs.held_back.empty(); ++i) {
+    offer_both(i == 0);
+    if (i % 4 == 0) (void)send_queue.next();
+    if (auto news = send_queue.take_small_needs()) needs = *news;
+  }
+  EXPECT_THAT(needs.held_back, ElementsAre(kLess));
+  drain(send_queue);
+  (void)send_queue.take_small_needs();
+  int keys = 0, messages = 0;
+  for (int i = 0; i < 2 * SendQueue::kSetsPerHeldKey; ++i) {
+    const auto news = send_queue.take_small_needs();
+    const bool is_asked = news && !news->keys.empty();
+    if (news && news->held_back.empty()) break;  // it is tried again
+    if (is_asked) {
+      EXPECT_THAT(news->keys, ElementsAre(kLess));
+      ++keys;
+    }
+    offer_both(is_asked);
+    const int sent = drain(send_queue);
+    EXPECT_EQ(sent, is_asked ? 3 : 2) << "with the end of the set";
+    messages += sent;
+  }
+  EXPECT_GE(keys, 1);
+  EXPECT_GT(messages, SendQueue::kSetsPerHeldKey);
+}
+
+TEST_F(SlowLine, what_the_viewer_turns_to_comes_whole_first) {
+  const auto both = [this] {
+    ++seq;
+    return frame_set_of({{kSensor, seq, seq}, {kOtherSensor, seq, seq}});
+  };
+  send_queue.set_details({Detail::kAll, Detail::kBaseOnly});
+  std::optional<SmallNeeds> needs;
+  for (int i = 0; i < 64 && !needs; ++i) {
+    send_queue.push_set(both());
+    for (int frame = 0; frame < 2 && i % 3 != 0; ++frame) (void)send_queue.next();
+    needs = send_queue.take_small_needs();
+  }
+  ASSERT_TRUE(needs.has_value());
+  EXPECT_THAT(needs->wanted, ElementsAre(kOtherSensor));
+  send_queue.set_details({Detail::kBaseOnly, Detail::kAll});
+  needs = send_queue.take_small_needs();
+  ASSERT_TRUE(needs.has_value());
+  EXPECT_THAT(needs->wanted, ElementsAre(kSensor));
+}
+
 TEST_F(SlowLine, what_the_viewer_needs_less_comes_small_first) {
   send_queue.set_details({Detail::kBaseOnly, Detail::kAll, Detail::kBaseOnly, Detail::kAll});
   std::optional<SmallNeeds> needs;

@@ -34,9 +34,11 @@ Eigen::Vector3f turn_between(const Eigen::Vector3f& from, const Eigen::Vector3f&
 }  // namespace
 
 void HeadMotion::moved(const wire::pb::Pose& head, RoomTime now) {
-  const Eigen::Quaternionf world_from_head(head.qw(), head.qx(), head.qy(), head.qz());
+  const auto world_from_head =
+      Eigen::Quaternionf(head.qw(), head.qx(), head.qy(), head.qz()).normalized();
   const Head next{{head.x(), head.y(), head.z()},
-                  (world_from_head.normalized() * -Eigen::Vector3f::UnitZ()).normalized()};
+                  (world_from_head * -Eigen::Vector3f::UnitZ()).normalized(),
+                  (world_from_head * Eigen::Vector3f::UnitY()).normalized()};
   const nanoseconds step = now - moved_;
   if (step > kAtRestAfter) {
     velocity_m_s_.setZero();
@@ -55,8 +57,12 @@ HeadMotion::Head HeadMotion::at(RoomTime time, RoomTime now) const {
   const float ahead_s = seconds(time - moved_);
   const Eigen::Vector3f turn = turn_rad_s_ * ahead_s;
   const float angle = turn.norm();
-  Head head{head_.at_m + velocity_m_s_ * ahead_s, head_.forward};
-  if (angle > 1e-6F) head.forward = Eigen::AngleAxisf(angle, turn / angle) * head_.forward;
+  Head head{head_.at_m + velocity_m_s_ * ahead_s, head_.forward, head_.up};
+  if (angle > 1e-6F) {
+    const Eigen::AngleAxisf turned(angle, turn / angle);
+    head.forward = turned * head_.forward;
+    head.up = turned * head_.up;
+  }
   return head;
 }
 

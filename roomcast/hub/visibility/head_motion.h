@@ -14,14 +14,15 @@ class HeadMotion {
   struct Head {
     Eigen::Vector3f at_m = Eigen::Vector3f::Zero();  // world frame
     Eigen::Vector3f forward = -Eigen::Vector3f::UnitZ();
+    Eigen::Vector3f up = Eigen::Vector3f::UnitY();
   };
 
   /// `head` has passed wire::decode_control.
   void moved(const wire::pb::Pose& head, RoomTime now);
 
   [[nodiscard]] const Head& now() const { return head_; }
-  /// At this time, at constant velocity. Velocities are bounded by what people do; a head that has
-  /// not moved for a while is at rest.
+  /// At this time, at constant velocity and without rolling. Velocities are bounded by what people
+  /// do; a head that has not moved for a while is at rest.
   [[nodiscard]] Head at(RoomTime time, RoomTime now) const;
 
  private:

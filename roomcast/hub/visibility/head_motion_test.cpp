@@ -38,6 +38,19 @@ TEST(HeadMotion, goes_on_as_it_moved) {
   EXPECT_LT((ahead.forward - direction(0.6F)).norm(), 1e-4F);
 }
 
+TEST(HeadMotion, what_is_up_turns_along) {
+  HeadMotion motion;
+  wire::pb::Pose bent = head(0, 0);  // forward and down
+  bent.set_qx(std::sin(-0.3F));
+  bent.set_qw(std::cos(-0.3F));
+  motion.moved(head(0, 0), head_time(0s));
+  motion.moved(bent, head_time(100ms));
+  EXPECT_LT((motion.now().up - Eigen::Vector3f(0, std::cos(0.6F), -std::sin(0.6F))).norm(), 1e-4F);
+  const auto ahead = motion.at(head_time(200ms), head_time(100ms));
+  EXPECT_NEAR(ahead.up.dot(ahead.forward), 0, 1e-4);
+  EXPECT_NEAR(ahead.up.y(), std::cos(1.2F), 1e-3);
+}
+
 TEST(HeadMotion, is_at_rest_after_a_while) {
   HeadMotion motion;
   motion.moved(head(0, 0), head_time(0s));

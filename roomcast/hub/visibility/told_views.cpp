@@ -37,7 +37,10 @@ bool is_like(const pb::WatchedFrom& a, const pb::WatchedFrom& b) {
       a.cones(), b.cones(), [](const pb::ViewCone& one, const pb::ViewCone& other) {
         return is_near(one.eye(), other.eye(), kNoticeable_m) &&
                is_near(one.forward(), other.forward(), kNoticeable_rad) &&
-               std::abs(one.half_angle() - other.half_angle()) <= kNoticeable_rad;
+               is_near(one.up(), other.up(), kNoticeable_rad) &&
+               std::abs(one.half_angle() - other.half_angle()) <= kNoticeable_rad &&
+               std::abs(one.half_width() - other.half_width()) <= kNoticeable_rad &&
+               std::abs(one.half_height() - other.half_height()) <= kNoticeable_rad;
       });
 }
 
@@ -52,7 +55,11 @@ pb::WatchedFrom in_depth_frame(const std::vector<ViewCone>& cones,
         rotation * cone.eye_m + depth_from_world.translation_m.cast<float>();
     set_point(within_reach(eye_m), *told.mutable_eye());
     set_point((rotation * cone.forward).normalized(), *told.mutable_forward());
-    told.set_half_angle(cone.half_angle_rad);
+    told.set_half_angle(static_cast<float>(cone.angles.half_angle_rad));
+    if (cone.angles.half_width_rad == 0 && cone.angles.half_height_rad == 0) continue;
+    set_point((rotation * cone.up).normalized(), *told.mutable_up());
+    told.set_half_width(static_cast<float>(cone.angles.half_width_rad));
+    told.set_half_height(static_cast<float>(cone.angles.half_height_rad));
   }
   return watched;
 }

@@ -23,7 +23,7 @@ RoomTime moment(nanoseconds time) {
 }
 
 ViewCone cone_at(float x) {
-  return {{x, 1.6F, 0}, {0, 0, -1}, 0.7F};
+  return {{x, 1.6F, 0}, {0, 0, -1}, {.half_angle_rad = 0.7}};
 }
 
 ViewTaker taker(SensorId sensor) {
@@ -49,8 +49,27 @@ TEST(ToldViews, a_cone_is_told_in_the_frame_of_each_sensor) {
   EXPECT_NEAR(left.eye().y(), 1.6, 1e-5);
   EXPECT_NEAR(left.forward().z(), -1, 1e-5);
   EXPECT_NEAR(left.half_angle(), 0.7, 1e-5);
+  EXPECT_FALSE(left.has_up()) << "it is round";
   EXPECT_NEAR(right.eye().x(), -2, 1e-5);
   EXPECT_NEAR(right.forward().z(), 1, 1e-5);
+}
+
+TEST(ToldViews, the_sides_of_a_picture_are_told_in_the_frame_of_each_sensor) {
+  ToldViews views;
+  ViewCone wide = cone_at(3);
+  wide.angles = {.half_angle_rad = 0.9, .half_width_rad = 0.8, .half_height_rad = 0.5};
+  wide.up = Eigen::Vector3f::UnitY();
+  ViewTaker tilted = taker(kLeft);  // its y axis points down, as cameras' do
+  tilted.world_from_depth.rotation =
+      Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  const auto news = tell(views, {wide}, {tilted}, 0s);
+  ASSERT_EQ(news.size(), 1U);
+  const wire::pb::ViewCone& told = news[0].watched.cones(0);
+  EXPECT_NEAR(told.up().y(), -1, 1e-5);
+  EXPECT_NEAR(told.half_width(), 0.8, 1e-5);
+  EXPECT_NEAR(told.half_height(), 0.5, 1e-5);
+  wide.up = Eigen::Vector3f::UnitX();
+  EXPECT_EQ(tell(views, {wide}, {tilted}, 1s).size(), 1U) << "the head rolled";
 }
 
 TEST(ToldViews, a_head_that_moves_a_hundred_times_a_second_is_told_ten_times) {

@@ -8,6 +8,18 @@
 #include "roomcast/wire/visibility_check.h"
 
 namespace roomcast::hub {
+namespace {
+
+/// A margin around a view; what is not told stays so.
+ViewAngles widened(ViewAngles angles, double beside_rad) {
+  for (double* const angle :
+       {&angles.half_angle_rad, &angles.half_width_rad, &angles.half_height_rad}) {
+    if (*angle > 0) *angle = std::min<double>(wire::kMaxViewHalfAngle_rad, *angle + beside_rad);
+  }
+  return angles;
+}
+
+}  // namespace
 
 void ViewCulling::set_surface(SensorId sensor, SeenSurface surface) {
   SeenSurface& own = surfaces_[sensor] = std::move(surface);
@@ -35,7 +47,7 @@ void ViewCulling::viewer_moved(ConnectionId id, const wire::pb::ViewerPose& pose
   if (wants_all && !viewers_.contains(id)) return;
   Viewer& viewer = viewers_[id];
   viewer.head.moved(pose.head(), now);
-  viewer.half_angle_rad = pose.view_half_angle();
+  viewer.angles = {pose.view_half_angle(), pose.view_half_width(), pose.view_half_height()};
   touch(viewer, now);
 }
 
@@ -113,8 +125,9 @@ std::optional<ViewCulling::Change> ViewCulling::look_at(ConnectionId id, Viewer&
     change.details[sensor.value] = detail;
   };
   for (const auto& [sensor, surface] : surfaces_) {
-    settle(sensor, viewer.half_angle_rad > 0 ? needed_detail(surface, views, options_.visibility)
-                                             : Detail::kAll);
+    settle(sensor, viewer.angles.half_angle_rad > 0
+                       ? needed_detail(surface, views, options_.visibility)
+                       : Detail::kAll);
   }
   for (auto& [sensor, need] : viewer.needs) {
     if (!surfaces_.contains(sensor)) settle(sensor, Detail::kAll);
@@ -149,18 +162,18 @@ std::vector<ViewCone> ViewCulling::cones(RoomTime now) const {
   std::vector<ViewCone> cones;
   if (viewers_.size() > std::size_t{wire::kMaxViewCones}) return {};
   for (const auto& [id, viewer] : viewers_) {
-    if (viewer.half_angle_rad == 0) return {};
-    const float half_angle =
-        std::min(wire::kMaxViewHalfAngle_rad, viewer.half_angle_rad + options_.beside_told_rad);
+    if (viewer.angles.half_angle_rad == 0) return {};
+    const ViewAngles angles = widened(viewer.angles, options_.beside_told_rad);
     const std::size_t first = cones.size();
     for (const int halves : {0, 1, 2}) {
       const auto head = viewer.head.at(now + options_.look_ahead * halves / 2, now);
-      const bool is_told = std::any_of(cones.begin() + static_cast<std::ptrdiff_t>(first),
-                                       cones.end(), [&](const auto& cone) {
-                                         return (cone.eye_m - head.at_m).norm() < kSamePlace_m &&
-                                                (cone.forward - head.forward).norm() < kSameWay_rad;
-                                       });
-      if (!is_told) cones.push_back({head.at_m, head.forward, half_angle});
+      const bool is_told = std::any_of(
+          cones.begin() + static_cast<std::ptrdiff_t>(first), cones.end(), [&](const auto& cone) {
+            return (cone.eye_m - head.at_m).norm() < kSamePlace_m &&
+                   (cone.forward - head.forward).norm() < kSameWay_rad &&
+                   (cone.up - head.up).norm() < kSameWay_rad;
+          });
+      if (!is_told) cones.push_back({head.at_m, head.forward, angles, head.up});
     }
   }
   return cones;
@@ -169,7 +182,7 @@ std::vector<ViewCone> ViewCulling::cones(RoomTime now) const {
 std::vector<ViewCone> ViewCulling::views_of(const Viewer& viewer, RoomTime now) const {
   std::vector<ViewCone> views;
   for (const auto& head : {viewer.head.now(), viewer.head.at(now + options_.look_ahead, now)})
-    views.push_back({head.at_m, head.forward, viewer.half_angle_rad});
+    views.push_back({head.at_m, head.forward, viewer.angles, head.up});
   return views;
 }
 

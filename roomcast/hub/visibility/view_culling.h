@@ -75,7 +75,7 @@ class ViewCulling {
   };
   struct Viewer {
     HeadMotion head;
-    float half_angle_rad = 0;
+    ViewAngles angles;
     bool has_changed = true;          // it, or what sensors see
     RoomTime looked_at{};             // by update()
     std::optional<RoomTime> revisit;  // when a detail ends without a change

@@ -149,13 +149,25 @@ TEST_F(ViewCullingTest, a_head_at_rest_has_one_cone_and_a_turning_one_has_more_a
   EXPECT_TRUE(culling.cones(cull_time(0s)).empty()) << "nobody has told where he looks";
   culling.viewer_moved(kAda, looking(0), cull_time(0s));
   ASSERT_EQ(culling.cones(cull_time(1s)).size(), 1U);
-  EXPECT_GT(culling.cones(cull_time(1s))[0].half_angle_rad, 0.7F);
+  EXPECT_GT(culling.cones(cull_time(1s))[0].angles.half_angle_rad, 0.7F);
   culling.viewer_moved(kAda, looking(0), cull_time(2s));
   culling.viewer_moved(kAda, looking(0.1F), cull_time(2050ms));
   const auto turning = culling.cones(cull_time(2050ms));
   ASSERT_EQ(turning.size(), 3U);
   EXPECT_LT(turning[1].forward.x(), turning[0].forward.x());
   EXPECT_LT(turning[2].forward.x(), turning[1].forward.x());
+}
+
+TEST_F(ViewCullingTest, cones_have_the_sides_of_a_picture_and_a_margin) {
+  wire::pb::ViewerPose pose = looking(0, 0.9F);
+  pose.set_view_half_width(0.8F);
+  culling.viewer_moved(kAda, pose, cull_time(0s));
+  const auto cones = culling.cones(cull_time(1s));
+  ASSERT_EQ(cones.size(), 1U);
+  EXPECT_GT(cones[0].angles.half_width_rad, 0.8);
+  EXPECT_LT(cones[0].angles.half_width_rad, 0.9);
+  EXPECT_EQ(cones[0].angles.half_height_rad, 0) << "it was not told";
+  EXPECT_LT((cones[0].up - Eigen::Vector3f::UnitY()).norm(), 1e-5F);
 }
 
 TEST_F(ViewCullingTest, there_are_no_cones_while_somebody_gets_everything) {

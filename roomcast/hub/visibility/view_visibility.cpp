@@ -11,18 +11,16 @@ namespace {
 constexpr float kAtHand_m = 0.3F;  // nearer points are seen, wherever the viewer looks
 constexpr float kPi = std::numbers::pi_v<float>;
 
-struct CosineLimits {
-  float ahead, facing;
+struct Limits {
+  Limits(const ViewCone& view, const VisibilityNeed& need)
+      : bounds(view, need.beside_rad), facing(std::cos(std::min(kPi, need.facing_rad))) {}
+
+  ViewBounds bounds;
+  float facing;  // cosine
 };
 
-CosineLimits limits(const ViewCone& view, const VisibilityNeed& need) {
-  return {std::cos(std::min(kPi, view.half_angle_rad + need.beside_rad)),
-          std::cos(std::min(kPi, need.facing_rad))};
-}
-
 struct PreparedView {
-  ViewCone cone;
-  CosineLimits all, base_only;
+  Limits all, base_only;
 };
 
 /// Whether another sensor looks at the point from a direction nearer to the viewer's. Of what
@@ -40,14 +38,13 @@ Detail detail_of_point(const SurfacePoint& point, const std::vector<PreparedView
                        float better) {
   Detail detail = Detail::kPaused;
   for (const PreparedView& view : views) {
-    const Eigen::Vector3f away = point.at_m - view.cone.eye_m;
+    const Eigen::Vector3f away = point.at_m - view.all.bounds.eye_m();
     const float distance = away.norm();
     if (distance < kAtHand_m) return Detail::kAll;
-    const float ahead = away.dot(view.cone.forward) / distance;
     const Eigen::Vector3f to_viewer = -away / distance;
     const float facing = to_viewer.dot(point.to_sensor);
-    const auto is_within = [&](const CosineLimits& limit) {
-      return ahead >= limit.ahead && facing >= limit.facing;
+    const auto is_within = [&](const Limits& limits) {
+      return facing >= limits.facing && limits.bounds.distance_outside(away) <= 0;
     };
     if (is_within(view.all) && !is_shown_better(point, to_viewer, facing, better))
       return Detail::kAll;
@@ -63,7 +60,7 @@ Detail needed_detail(const SeenSurface& surface, const std::vector<ViewCone>& vi
   std::vector<PreparedView> prepared;
   prepared.reserve(views.size());
   for (const ViewCone& view : views)
-    prepared.push_back({view, limits(view, options.all), limits(view, options.base_only)});
+    prepared.push_back({Limits(view, options.all), Limits(view, options.base_only)});
   const auto enough = [&surface](float share) {
     return std::max(1.0F, share * static_cast<float>(surface.points.size()));
   };

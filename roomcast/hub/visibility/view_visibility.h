@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Judges whether a viewer can see a surface: whether the surface is within a cone around the
-// direction of the viewer's head, and on which side of the surface the viewer is. A sensor that
+// Judges whether a viewer can see a surface: whether the surface is within the cone or pyramid of
+// the viewer's view, and on which side of the surface the viewer is. A sensor that
 // looks from the other side shows nothing that the viewer sees. Occlusion is ignored. View culling
 // as such is usual in volumetric video (ViVo, MobiCom 2020; LiVo, CoNEXT 2025); here it needs no
 // decoded frame. Pure.
@@ -10,21 +10,15 @@
 
 #include <Eigen/Core>
 
+#include "roomcast/geometry/view_cone.h"
 #include "roomcast/hub/visibility/detail.h"
 #include "roomcast/hub/visibility/seen_surface.h"
 
 namespace roomcast::hub {
 
-/// A head at one moment.
-struct ViewCone {
-  Eigen::Vector3f eye_m;    // world frame
-  Eigen::Vector3f forward;  // unit vector
-  float half_angle_rad = 0;
-};
-
 /// A sensor is needed if so much of its surface is seen, with these margins.
 struct VisibilityNeed {
-  float beside_rad = 0;  // around the cone
+  float beside_rad = 0;  // around the view
   /// The largest angle at a point between the directions to the sensor and to the viewer. A surface
   /// that faces the sensor can be seen at a right angle more.
   float facing_rad = 0;
@@ -42,8 +36,8 @@ struct VisibilityOptions {
   float better = 0.05F;
 };
 
-/// The detail in which this surface is needed, for a viewer who has one of these heads: now, and
-/// some moments ahead.
+/// The detail in which this surface is needed, for a viewer who has one of these views, world
+/// frame: now, and some moments ahead.
 [[nodiscard]] Detail needed_detail(const SeenSurface& surface, const std::vector<ViewCone>& views,
                                    const VisibilityOptions& options);
 

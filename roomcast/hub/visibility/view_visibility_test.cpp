@@ -24,7 +24,9 @@ SeenSurface wall() {
 /// At this place, looking at the middle of the wall after a turn about the vertical.
 ViewCone viewer(const Eigen::Vector3f& eye_m, float turned_rad = 0) {
   const Eigen::Vector3f ahead = (Eigen::Vector3f(0, 1, 0) - eye_m).normalized();
-  return {eye_m, Eigen::AngleAxisf(turned_rad, Eigen::Vector3f::UnitY()) * ahead, 0.7F};
+  return {eye_m,
+          Eigen::AngleAxisf(turned_rad, Eigen::Vector3f::UnitY()) * ahead,
+          {.half_angle_rad = 0.7}};
 }
 
 Detail needed(const std::vector<ViewCone>& views) {
@@ -75,8 +77,19 @@ TEST(ViewVisibility, what_comes_into_view_is_needed) {
 
 TEST(ViewVisibility, a_viewer_who_sees_all_around_needs_what_faces_him) {
   ViewCone around = viewer({0, 1, 2}, 2 * kRightAngle);
-  around.half_angle_rad = std::numbers::pi_v<float>;
+  around.angles.half_angle_rad = std::numbers::pi;
   EXPECT_EQ(needed({around}), Detail::kAll);
+}
+
+TEST(ViewVisibility, what_is_above_a_wide_picture_is_needed_less) {
+  ViewCone above = viewer({0, 1, 2});
+  const Eigen::AngleAxisf raised(0.8F, Eigen::Vector3f::UnitX());
+  above.forward = raised * above.forward;
+  above.up = raised * Eigen::Vector3f::UnitY();
+  above.angles = {.half_angle_rad = 0.9};
+  EXPECT_EQ(needed({above}), Detail::kAll) << "as far as is known";
+  above.angles = {.half_angle_rad = 0.9, .half_width_rad = 0.8, .half_height_rad = 0.5};
+  EXPECT_EQ(needed({above}), Detail::kBaseOnly);
 }
 
 TEST(ViewVisibility, what_is_at_hand_is_needed) {

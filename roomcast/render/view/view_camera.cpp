@@ -41,8 +41,13 @@ double focal_length_px(const ViewCamera& camera) {
   return 0.5 * camera.height / std::tan(0.5 * camera.vertical_fov_rad);
 }
 
-double half_angle_rad(const ViewCamera& camera) {
-  return std::atan(std::hypot(camera.width, camera.height) / 2 / focal_length_px(camera));
+ViewAngles view_angles(const ViewCamera& camera) {
+  const auto angle_rad = [&camera](double pixels) {
+    return std::atan(pixels / focal_length_px(camera));
+  };
+  const double half_width = 0.5 * camera.width, half_height = 0.5 * camera.height;
+  return {angle_rad(std::hypot(half_width, half_height)), angle_rad(half_width),
+          angle_rad(half_height)};
 }
 
 Eigen::Matrix4f clip_from_view(const ViewCamera& camera) {

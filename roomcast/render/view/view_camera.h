@@ -8,6 +8,7 @@
 
 #include "roomcast/core/result.h"
 #include "roomcast/geometry/rigid_transform.h"
+#include "roomcast/geometry/view_cone.h"
 
 namespace roomcast::render {
 
@@ -28,8 +29,8 @@ struct ViewCamera {
 /// Focal length of both axes, in pixels.
 [[nodiscard]] double focal_length_px(const ViewCamera& camera);
 
-/// The angle between the middle of the picture and its corners.
-[[nodiscard]] double half_angle_rad(const ViewCamera& camera);
+/// From the middle of the picture to its corners, sides, and top and bottom.
+[[nodiscard]] ViewAngles view_angles(const ViewCamera& camera);
 
 /// OpenGL's perspective matrix: view frame -> clip, depth -1 at near_m and +1 at far_m.
 [[nodiscard]] Eigen::Matrix4f clip_from_view(const ViewCamera& camera);

@@ -28,12 +28,14 @@ TEST(ViewCamera, the_default_is_legal) {
 TEST(ViewCamera, corners_are_farther_from_the_middle_than_edges) {
   const ViewCamera square{
       .world_from_view = {}, .vertical_fov_rad = std::numbers::pi / 2, .width = 500, .height = 500};
-  EXPECT_NEAR(half_angle_rad(square), std::atan(std::sqrt(2.0)), kRounding);
+  EXPECT_NEAR(view_angles(square).half_angle_rad, std::atan(std::sqrt(2.0)), kRounding);
   const ViewCamera wide{.world_from_view = {},
                         .vertical_fov_rad = std::numbers::pi / 2,
                         .width = 1000,
                         .height = 500};
-  EXPECT_NEAR(half_angle_rad(wide), std::atan(std::sqrt(5.0)), kRounding);
+  EXPECT_NEAR(view_angles(wide).half_angle_rad, std::atan(std::sqrt(5.0)), kRounding);
+  EXPECT_NEAR(view_angles(wide).half_width_rad, std::atan(2.0), kRounding);
+  EXPECT_NEAR(view_angles(wide).half_height_rad, std::numbers::pi / 4, kRounding);
 }
 
 TEST(ViewCamera, what_makes_no_sense_is_refused) {

@@ -54,10 +54,13 @@ WatchedBlocks::WatchedBlocks(const CameraIntrinsics& depth, WatchedBlocksOptions
 }
 
 void WatchedBlocks::watch_from(const wire::pb::WatchedFrom& watched) {
-  cones_.clear();
+  views_.clear();
   for (const wire::pb::ViewCone& cone : watched.cones()) {
-    cones_.push_back({vector_of(cone.eye()), vector_of(cone.forward()).normalized(),
-                      std::sin(cone.half_angle()), std::cos(cone.half_angle())});
+    views_.emplace_back(
+        ViewCone{vector_of(cone.eye()),
+                 vector_of(cone.forward()).normalized(),
+                 {cone.half_angle(), cone.half_width(), cone.half_height()},
+                 cone.has_up() ? vector_of(cone.up()).normalized() : Eigen::Vector3f::Zero()});
   }
 }
 
@@ -65,7 +68,7 @@ codec::BlockNeedsView WatchedBlocks::update(DepthView now_mm, DepthView shown_mm
                                             int frames_per_reference) {
   // A turn lasts until a frame of layer 0 has come for certain.
   if (++frame_ % static_cast<unsigned>(frames_per_reference) == 0) ++reference_;
-  if (cones_.empty() || now_mm.data == nullptr || !same_size(now_mm, shown_mm)) return {};
+  if (views_.empty() || now_mm.data == nullptr || !same_size(now_mm, shown_mm)) return {};
   measure(now_mm, now_);
   measure(shown_mm, shown_);
   for (int row = 0; row < high_; ++row) {
@@ -148,14 +151,12 @@ WatchedBlocks::Sight WatchedBlocks::sight_of(std::size_t block, std::uint16_t z_
   const Eigen::Vector3f at_m = point(block, z_mm);
   const float radius_m = radius_ * at_m.z();
   Sight best = Sight::kOutside;
-  for (const Cone& cone : cones_) {
-    const Eigen::Vector3f away = at_m - cone.eye_m;
+  for (const ViewBounds& view : views_) {
+    const Eigen::Vector3f away = at_m - view.eye_m();
     const float squared = away.squaredNorm();
     const float near_m = options_.at_hand_m + radius_m;
     if (squared < near_m * near_m) return Sight::kSeen;
-    const float ahead = away.dot(cone.forward);
-    const float aside = std::sqrt(std::max(0.0F, squared - ahead * ahead));
-    if (aside * cone.cosine - ahead * cone.sine > radius_m) continue;  // distance from the cone
+    if (view.distance_outside(away) > radius_m) continue;
     const float facing = -away.dot(normal) / std::sqrt(squared);
     if (normal.isZero() || facing >= edge_on_) return Sight::kSeen;
     best = std::max(best, facing >= away_ ? Sight::kEdgeOn : Sight::kAway);

@@ -16,6 +16,7 @@
 #include "roomcast/codec/payload/block_need.h"
 #include "roomcast/core/image.h"
 #include "roomcast/geometry/camera_model.h"
+#include "roomcast/geometry/view_cone.h"
 #include "roomcast/wire/control.pb.h"
 
 namespace roomcast::sensor {
@@ -37,7 +38,7 @@ class WatchedBlocks {
 
   /// `watched` has passed wire::decode_control. Without cones, everything is needed.
   void watch_from(const wire::pb::WatchedFrom& watched);
-  [[nodiscard]] bool watches_all() const { return cones_.empty(); }
+  [[nodiscard]] bool watches_all() const { return views_.empty(); }
 
   /// What is needed of the next frame, whose depth is `now_mm`, while decoders show `shown_mm`;
   /// valid until the next call. Empty: everything. One frame in `frames_per_reference` is of layer
@@ -46,10 +47,6 @@ class WatchedBlocks {
                                              int frames_per_reference);
 
  private:
-  struct Cone {
-    Eigen::Vector3f eye_m, forward;
-    float sine = 0, cosine = 0;  // of half its angle
-  };
   /// The nearest and the farthest reading of a block; 0: none.
   struct Reach {
     std::uint16_t near_mm = 0, far_mm = 0;
@@ -75,7 +72,7 @@ class WatchedBlocks {
   int wide_ = 0, high_ = 0;
   std::vector<Eigen::Vector2f> rays_;  // of the blocks' middles, at z = 1; NaN: none
   float radius_ = 0;                   // of a block, at z = 1
-  std::vector<Cone> cones_;
+  std::vector<ViewBounds> views_;
   std::vector<Reach> now_, shown_;
   codec::BlockNeeds needs_;
   unsigned frame_ = 0, reference_ = 0;

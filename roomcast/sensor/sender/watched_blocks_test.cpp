@@ -90,6 +90,24 @@ TEST(WatchedBlocks, what_is_in_a_cone_is_needed_and_the_rest_once_a_second) {
   EXPECT_LE(corner_needed, 4 * 2) << "a turn lasts until a frame of layer 0 has come";
 }
 
+TEST(WatchedBlocks, above_a_wide_picture_less_is_needed) {
+  WatchedBlocks blocks(watched_lens());
+  auto watched = seen_from(kSensor, kMiddleOfWall, 0.6F);
+  blocks.watch_from(watched);
+  const int above = 0, middle = kColumns / 2;  // 0.46 rad above the axis
+  EXPECT_EQ(blocks.update(wall(), wall(), 2).at(middle, above), BlockNeed::kAll);
+  auto& cone = *watched.mutable_cones(0);
+  cone.mutable_up()->set_y(-1);
+  cone.set_half_width(0.6F);
+  cone.set_half_height(0.3F);
+  blocks.watch_from(watched);
+  EXPECT_NE(blocks.update(wall(), wall(), 2).at(middle, above), BlockNeed::kAll);
+  cone.mutable_up()->set_y(0);
+  cone.mutable_up()->set_x(1);  // the viewer lies on the side
+  blocks.watch_from(watched);
+  EXPECT_EQ(blocks.update(wall(), wall(), 2).at(middle, above), BlockNeed::kAll);
+}
+
 TEST(WatchedBlocks, colour_outside_comes_every_fourth_time) {
   WatchedBlocks blocks(watched_lens());
   blocks.watch_from(seen_from(kSensor, kMiddleOfWall));

@@ -146,7 +146,7 @@ void draw_sensor(const client::RoomSensor& sensor, const SensorFigures& figures,
                        figures.megabytes_per_s, static_cast<unsigned long long>(figures.missed));
     ImGui::SameLine();
     if (figures.age_ms) ImGui::TextColored(kQuiet, "%.0f ms old", *figures.age_ms);
-    if (sensor.is_small) {
+    if (sensor.is_small || sensor.is_held_back) {
       ImGui::SameLine();
       ImGui::TextColored(kYellow, "coarse: your line takes no more");
     }

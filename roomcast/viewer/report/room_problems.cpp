@@ -27,7 +27,7 @@ RoomProblem lost_hub(const client::RoomSnapshot& room) {
 }
 
 bool is_silent(const client::RoomSensor& sensor, HostTime now) {
-  if (!sensor.picture || sensor.is_paused) return false;
+  if (!sensor.picture || sensor.is_paused || sensor.is_held_back) return false;
   const Seconds three_frames(sensor.fps > 0 ? 3 / sensor.fps : 0);
   const Seconds patience = sensor.is_small ? kSilenceOnSlowLine : kSilence;
   return Seconds(now - sensor.picture->received) > std::max(patience, three_frames);
@@ -55,6 +55,25 @@ std::optional<RoomProblem> problem_of(const client::RoomSensor& sensor, HostTime
                      name + " is not placed yet" + why + " It is shown at a provisional place."};
 }
 
+/// Of this viewer.
+std::optional<RoomProblem> slow_line(const client::RoomSnapshot& room) {
+  std::string held_back;
+  bool is_coarse = false;
+  for (const client::RoomSensor& sensor : room.sensors) {
+    if (!sensor.online || sensor.is_paused) continue;
+    is_coarse |= sensor.is_small;
+    if (sensor.is_held_back) held_back += (held_back.empty() ? "" : ", ") + sensor.name;
+  }
+  if (!held_back.empty())
+    return RoomProblem{
+        Severity::kNotice, "room",
+        "Your line is too slow for all sensors: now and then only comes a picture of " + held_back +
+            "."};
+  if (!is_coarse) return std::nullopt;
+  return RoomProblem{Severity::kNotice, "room",
+                     "Your line is slow, so some sensors send coarser pictures and fewer of them."};
+}
+
 }  // namespace
 
 std::vector<RoomProblem> room_problems(const client::RoomSnapshot& room, HostTime now) {
@@ -66,13 +85,7 @@ std::vector<RoomProblem> room_problems(const client::RoomSnapshot& room, HostTim
   for (const client::RoomSensor& sensor : room.sensors) {
     if (auto problem = problem_of(sensor, now)) problems.push_back(std::move(*problem));
   }
-  const auto comes_small = [](const client::RoomSensor& sensor) {
-    return sensor.online && !sensor.is_paused && sensor.is_small;
-  };
-  if (std::ranges::any_of(room.sensors, comes_small))
-    problems.push_back({Severity::kNotice, "room",
-                        "Your line is slow, so some sensors send coarser pictures and fewer of "
-                        "them."});
+  if (auto slow = slow_line(room)) problems.push_back(std::move(*slow));
   std::ranges::stable_sort(problems, {}, &RoomProblem::severity);
   return problems;
 }

@@ -76,6 +76,17 @@ TEST(RoomProblems, a_slow_line_is_said_once_and_its_pictures_may_be_late) {
   EXPECT_EQ(room_problems(room, kNow).at(0).sentence, "Sensor left has been silent for 12 s.");
 }
 
+TEST(RoomProblems, sensors_that_are_held_back_are_named_and_not_called_silent) {
+  client::RoomSnapshot room = good_room();
+  for (client::RoomSensor& sensor : room.sensors) sensor.is_small = true;
+  room.sensors[1].is_held_back = true;
+  room.sensors[1].picture = picture_from(60s);
+  const auto problems = room_problems(room, kNow);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].sentence,
+            "Your line is too slow for all sensors: now and then only comes a picture of right.");
+}
+
 TEST(RoomProblems, a_small_picture_of_a_sensor_that_sends_no_more_says_nothing_of_the_line) {
   client::RoomSnapshot room = good_room();
   room.sensors[0].is_small = true;

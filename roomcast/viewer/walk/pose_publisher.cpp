@@ -19,7 +19,7 @@ bool is_same(const client::PersonPose& a, const client::PersonPose& b) {
   return a.world_from_head == b.world_from_head &&
          a.world_from_left_hand == b.world_from_left_hand &&
          a.world_from_right_hand == b.world_from_right_hand && is_same(a.pointer, b.pointer) &&
-         a.view_half_angle_rad == b.view_half_angle_rad;
+         a.view == b.view;
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ double half_angle_of(const render::Eyes& eyes, const RigidTransform& world_from_
   double widest = 0;
   for (const render::ViewCamera& eye : eyes) {
     const double cosine = ahead.dot(-eye.world_from_view.rotation.col(2));
-    widest =
-        std::max(widest, std::acos(std::clamp(cosine, -1.0, 1.0)) + render::half_angle_rad(eye));
+    widest = std::max(
+        widest, std::acos(std::clamp(cosine, -1.0, 1.0)) + render::view_angles(eye).half_angle_rad);
   }
   return std::min(widest, std::numbers::pi);
 }
@@ -120,7 +120,7 @@ Status HeadsetView::draw_eyes(RoomView& room, render::RenderMode mode) {
     return camera;
   };
   const render::Eyes eyes(in_world(in_stage[0]), in_world(in_stage[1]));
-  pose_.view_half_angle_rad = half_angle_of(eyes, pose_.world_from_head);
+  pose_.view = {.half_angle_rad = half_angle_of(eyes, pose_.world_from_head)};
   if (auto status = picture_.draw(room, eyes, mode); !status) return status;
   headset_->show(*picture_.target());
   return {};

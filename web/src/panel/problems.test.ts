@@ -17,6 +17,7 @@ const traffic: SensorTraffic = {
   lastSeq: 8,
   lastSetId: 8n,
   lastCapture_ms: 10_000,
+  isHeldBack: false,
   isSmall: false,
   problem: '',
 };
@@ -49,6 +50,12 @@ describe('the list of problems', () => {
     expect(sentences(known({}, both, small))).toEqual([expect.stringMatching(/connection is slow/)]);
     expect(sentences(known({}, both, small), 15_000)).toHaveLength(1); // late, but that is no fault of the sensors
     expect(sentences(known({}, both, small), 21_000)).toHaveLength(3);
+  });
+
+  test('names the sensors that a slow connection holds back, and does not call them silent', () => {
+    const counts = [{ ...traffic, isSmall: true, lastCapture_ms: 70_000 }, { ...traffic, sensor: 1, isHeldBack: true }];
+    const both = [s0, { ...s0, id: 1, name: 's1' }];
+    expect(sentences(known({}, both, counts), 70_000)).toEqual([expect.stringMatching(/too slow for all.* of s1\.$/)]);
   });
 
   test('does not take the last small picture of a sensor that is gone for a slow connection', () => {

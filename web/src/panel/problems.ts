@@ -71,7 +71,7 @@ function sensorProblems(
     const counts = traffic.find((entry) => entry.sensor === sensor.id);
     const found: Problem[] = [];
     const silence_ms = silenceOf(counts, room_ms);
-    const patience_ms = counts?.isSmall ? slowSilent_ms : silent_ms;
+    const patience_ms = counts?.isHeldBack ? Infinity : counts?.isSmall ? slowSilent_ms : silent_ms;
     if (silence_ms > Math.max(patience_ms, (1000 * silentFrames) / sensor.fps))
       found.push(error(texts.silent(sensor.name), texts.silentFor(Math.round(silence_ms / 1000))));
     if (counts?.problem) found.push(error(texts.sensor(sensor.name, counts.problem)));
@@ -87,9 +87,15 @@ function sensorProblems(
     return found;
   });
   if (sought.length > 1) ofEach.push(notice(texts.unplacedOnes(sought)));
-  const online = new Set(roster.sensors.filter((entry) => entry.online).map(({ id }) => id));
-  if (traffic.some(({ sensor, isSmall }) => isSmall && online.has(sensor))) ofEach.push(notice(texts.coarse));
-  return ofEach;
+  return [...ofEach, ...slowLine(roster, traffic)];
+}
+
+/** Of this viewer. */
+function slowLine(roster: RoomRoster, traffic: readonly SensorTraffic[]): Problem[] {
+  const online = new Map(roster.sensors.filter((entry) => entry.online).map(({ id, name }) => [id, name]));
+  const heldBack = traffic.filter(({ isHeldBack }) => isHeldBack).flatMap(({ sensor }) => online.get(sensor) ?? []);
+  if (heldBack.length > 0) return [notice(texts.heldBack(heldBack))];
+  return traffic.some(({ sensor, isSmall }) => isSmall && online.has(sensor)) ? [notice(texts.coarse)] : [];
 }
 
 /** True while no reason for the missing pose is known, as for all sensors in a room's first seconds. */

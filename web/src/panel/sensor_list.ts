@@ -54,7 +54,7 @@ export class SensorList {
     const age = room_ms === undefined || captured === undefined ? undefined : Math.max(0, room_ms - captured);
     const fps = perSecond(this.state.sensorFps(entry.id));
     const rate = megabytes(this.state.sensorBytesPerSecond(entry.id));
-    row.coarse.hidden = !entry.online || !traffic?.isSmall;
+    row.coarse.hidden = !entry.online || !(traffic?.isSmall || traffic?.isHeldBack);
     setText(figures, entry.online ? `${fps} fps · ${rate} MB/s · ${milliseconds(age)}` : panelTexts.gone);
   }
 

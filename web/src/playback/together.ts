@@ -153,5 +153,5 @@ function entryOf(person: Person): ViewerEntry {
 function poseOf(person: Person): ViewerPose {
   const [x, y, z, qx, qy, qz, qw] = person.head;
   const head: Pose = { $typeName: 'roomcast.wire.pb.Pose', x: x!, y: y!, z: z!, qx: qx!, qy: qy!, qz: qz!, qw: qw! };
-  return { $typeName: 'roomcast.wire.pb.ViewerPose', viewerId: idOf(person), head, viewHalfAngle: 0 };
+  return { $typeName: 'roomcast.wire.pb.ViewerPose', viewerId: idOf(person), head, viewHalfAngle: 0, viewHalfWidth: 0, viewHalfHeight: 0 };
 }

@@ -49,6 +49,7 @@ export interface SensorTraffic {
   lastSeq: number | undefined;
   lastSetId: bigint | undefined;
   lastCapture_ms: number | undefined;
+  isHeldBack: boolean; // that line does not take even all small renditions: only key frames of this one come
   isSmall: boolean; // its newest frame is of its small rendition: this viewer's line takes no more
   problem: string; // reason why its frames are not shown properly, or empty
 }
@@ -163,8 +164,15 @@ export interface Body {
   leftHand: PlainPose | undefined;
   rightHand: PlainPose | undefined;
   pointer?: PlainBeam | undefined;
-  /** The largest angle between the head's -z axis and a direction that one sees, radians; 0: the hub is to send all. */
-  viewHalfAngle?: number;
+  /** Absent: the hub is to send all. */
+  view?: ViewAngles | undefined;
+}
+
+/** How far one sees from the head's -z axis, radians: at most, to either side, and up and down; 0: no less than at most. */
+export interface ViewAngles {
+  halfAngle: number;
+  halfWidth: number;
+  halfHeight: number;
 }
 
 export function pageTime_ms(): number {

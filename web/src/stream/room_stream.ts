@@ -172,9 +172,12 @@ export class RoomStream {
     this.post({ kind: 'roster', roster: roomRoster(roster) });
   }
 
-  private followUnseen({ baseOnly, paused }: UnseenSensors): void {
-    const incomplete = new Set([...baseOnly, ...paused]);
-    for (const [id, stream] of this.sensors) stream.expectGaps(incomplete.has(id));
+  private followUnseen({ baseOnly, paused, heldBack }: UnseenSensors): void {
+    const incomplete = new Set([...baseOnly, ...paused, ...heldBack]);
+    for (const [id, stream] of this.sensors) {
+      stream.expectGaps(incomplete.has(id));
+      stream.traffic.isHeldBack = heldBack.includes(id);
+    }
     this.post({ kind: 'unseen', paused });
   }
 
@@ -264,6 +267,7 @@ export class RoomStream {
 }
 
 /** Hands that are not tracked, and a pointer that is off, are left out of the message. */
-function poseMessage({ head, leftHand, rightHand, pointer, viewHalfAngle = 0 }: Body) {
-  return { head, viewHalfAngle, ...(leftHand && { leftHand }), ...(rightHand && { rightHand }), ...(pointer && { pointer }) };
+function poseMessage({ head, leftHand, rightHand, pointer, view }: Body) {
+  const angles = view && { viewHalfAngle: view.halfAngle, viewHalfWidth: view.halfWidth, viewHalfHeight: view.halfHeight };
+  return { head, ...angles, ...(leftHand && { leftHand }), ...(rightHand && { rightHand }), ...(pointer && { pointer }) };
 }

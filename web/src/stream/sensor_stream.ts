@@ -62,6 +62,7 @@ export class SensorStream {
       lastSeq: undefined,
       lastSetId: undefined,
       lastCapture_ms: undefined,
+      isHeldBack: false,
       isSmall: false,
       problem: '',
     };

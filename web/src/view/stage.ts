@@ -4,7 +4,7 @@
 import * as THREE from 'three';
 import type { RoomRoster } from '../room_roster';
 import type { DecodedModel } from '../model/model_worker';
-import type { ViewFrame } from '../stream/protocol';
+import type { ViewAngles, ViewFrame } from '../stream/protocol';
 import type { DrawMode } from './draw_mode';
 import { whenDrawn } from './gpu_fence';
 import { QualityLadder, type QualityChoice } from './quality_ladder';
@@ -109,11 +109,13 @@ export class Stage {
     this.touch();
   }
 
-  /** The angle between the middle of the picture and its corners, radians. In a headset: more than any of its eyes sees. */
-  get halfAngle(): number {
-    if (this.renderer.xr.isPresenting) return headsetHalfAngle;
+  /** What this viewer sees. In a headset: more than any of its eyes sees. */
+  get viewAngles(): ViewAngles {
+    if (this.renderer.xr.isPresenting) return { halfAngle: headsetHalfAngle, halfWidth: 0, halfHeight: 0 };
     const { fov, aspect } = this.camera;
-    return Math.atan(Math.tan(THREE.MathUtils.degToRad(fov) / 2) * Math.hypot(1, aspect));
+    const halfHeight = THREE.MathUtils.degToRad(fov) / 2;
+    const [top, side] = [Math.tan(halfHeight), Math.tan(halfHeight) * aspect];
+    return { halfAngle: Math.atan(Math.hypot(top, side)), halfWidth: Math.atan(side), halfHeight };
   }
 
   clear(sensors: readonly number[]): void {
