@@ -33,8 +33,8 @@ ViewBounds::ViewBounds(const ViewCone& cone, float beside_rad)
       has_sides_(has_bound(cone, cone.angles.half_width_rad, beside_rad)),
       has_top_(has_bound(cone, cone.angles.half_height_rad, beside_rad)) {}
 
-// The distance from the cone's edge and from the planes of the picture's sides; it holds for cones of
-// more than half the surroundings, too.
+// The distance from the cone's edge and from the planes of the picture's sides; it holds for cones
+// of more than half the surroundings, too.
 float ViewBounds::distance_outside(const Eigen::Vector3f& away_m) const {
   const float ahead = away_m.dot(forward_);
   const float aside = std::sqrt(std::max(0.0F, away_m.squaredNorm() - ahead * ahead));

@@ -22,7 +22,8 @@ struct ViewCone {
   Eigen::Vector3f eye_m;
   Eigen::Vector3f forward;  // unit vector
   ViewAngles angles;
-  Eigen::Vector3f up = Eigen::Vector3f::Zero();  // unit vector across `forward`; 0: the view is round
+  Eigen::Vector3f up =
+      Eigen::Vector3f::Zero();  // unit vector across `forward`; 0: the view is round
 };
 
 /// A ViewCone, prepared for many points.

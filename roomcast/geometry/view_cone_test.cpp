@@ -53,7 +53,8 @@ TEST(ViewCone, outside_is_told_in_metres) {
 }
 
 TEST(ViewCone, a_margin_widens_all_angles) {
-  const ViewCone cone = view({.half_angle_rad = 0.9, .half_width_rad = 0.8, .half_height_rad = 0.5});
+  const ViewCone cone =
+      view({.half_angle_rad = 0.9, .half_width_rad = 0.8, .half_height_rad = 0.5});
   EXPECT_LE(ViewBounds(cone, 0.2F).distance_outside(turned(0, 0.69F)), 0);
   EXPECT_GT(ViewBounds(cone, 0.2F).distance_outside(turned(0, 0.71F)), 0);
 }
