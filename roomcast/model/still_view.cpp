@@ -124,26 +124,35 @@ void StillView::forget_around_gone() {
 
 /// True: a farther surface has taken the place of the one that was there.
 bool StillView::add_reading(float z_mm, Pixel& pixel) const {
-  const auto join = [&](float& mean_mm, std::uint8_t& count) {
-    count = static_cast<std::uint8_t>(std::min(count + 1, options_.memory_frames));
-    mean_mm += (z_mm - mean_mm) / static_cast<float>(count);
-  };
-  if (pixel.count == 0 || is_same(z_mm, pixel.mean_mm)) {
-    join(pixel.mean_mm, pixel.count);
-    const int reliable = std::max(0, pixel.reliable_count - kPerMissed * pixel.missed_count) + 1;
-    pixel.reliable_count = static_cast<std::uint8_t>(std::min(reliable, kMaxReliableCount));
-    pixel.through_count = pixel.missed_count = 0;
-    // A person who walks past many times must not be believed in the end.
-    if (pixel.other_count > 0 && pixel.other_mm < pixel.mean_mm) --pixel.other_count;
-    return false;
-  }
+  if (pixel.count > 0 && !is_same(z_mm, pixel.mean_mm)) return add_other_reading(z_mm, pixel);
+  add_same_reading(z_mm, pixel);
+  return false;
+}
+
+void StillView::join(float z_mm, float& mean_mm, std::uint8_t& count) const {
+  count = static_cast<std::uint8_t>(std::min(count + 1, options_.memory_frames));
+  mean_mm += (z_mm - mean_mm) / static_cast<float>(count);
+}
+
+/// The surface that stands there is seen again, or the first one is.
+void StillView::add_same_reading(float z_mm, Pixel& pixel) const {
+  join(z_mm, pixel.mean_mm, pixel.count);
+  const int reliable = std::max(0, pixel.reliable_count - kPerMissed * pixel.missed_count) + 1;
+  pixel.reliable_count = static_cast<std::uint8_t>(std::min(reliable, kMaxReliableCount));
+  pixel.through_count = pixel.missed_count = 0;
+  // A person who walks past many times must not be believed in the end.
+  if (pixel.other_count > 0 && pixel.other_mm < pixel.mean_mm) --pixel.other_count;
+}
+
+/// Something else is seen there. Returns as add_reading.
+bool StillView::add_other_reading(float z_mm, Pixel& pixel) const {
   const bool farther = z_mm > pixel.mean_mm;
   if (farther) {
     count_up(pixel.through_count);
     count_up(pixel.missed_count);
   }
   if (pixel.other_count == 0 || is_same(z_mm, pixel.other_mm)) {
-    join(pixel.other_mm, pixel.other_count);
+    join(z_mm, pixel.other_mm, pixel.other_count);
   } else {
     --pixel.other_count;
   }

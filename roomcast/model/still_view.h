@@ -69,6 +69,9 @@ class StillView {
             const ModelOptions& options);
   [[nodiscard]] bool is_same(float a_mm, float b_mm) const;
   bool add_reading(float z_mm, Pixel& pixel) const;
+  void add_same_reading(float z_mm, Pixel& pixel) const;
+  bool add_other_reading(float z_mm, Pixel& pixel) const;
+  void join(float z_mm, float& mean_mm, std::uint8_t& count) const;
   [[nodiscard]] float enough(float share, int count) const;
   [[nodiscard]] bool is_outvoted(const Pixel& pixel, int frames) const;
   [[nodiscard]] bool is_missed(const Pixel& pixel) const;

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <future>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <stop_token>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -111,7 +113,8 @@ class RoomModeler::Work {
   std::set<std::string> listed_;
   /// A picture is in many snapshots, and its time is another one once the clock is known better.
   std::map<SensorId, std::shared_ptr<const codec::DecodedFrame>> taken_;
-  /// On a thread of its own: meanwhile key frames come, and one that is not taken is lost.
+  /// On a thread of its own, where the system has one: meanwhile key frames come, and one that is
+  /// not taken is lost.
   std::future<Fused> fusing_;
   bool is_unsaved_ = false;
   std::string warned_;  // the last warning; it is not repeated
@@ -190,7 +193,7 @@ void RoomModeler::Work::ask_for_more(const client::RoomSnapshot& room,
 
 void RoomModeler::Work::fuse_when_due(const std::stop_token& stop) {
   if (fusing_.valid()) {
-    if (fusing_.wait_for(0s) != std::future_status::ready) return;
+    if (fusing_.wait_for(0s) == std::future_status::timeout) return;
     finish_fusing();
   }
   if (!noticed_ || clock_.now() < std::max(*noticed_ + kSettle, next_fusing_)) return;
@@ -200,10 +203,17 @@ void RoomModeler::Work::fuse_when_due(const std::stop_token& stop) {
 
 void RoomModeler::Work::start_fusing(const std::stop_token& stop) {
   if (!views_.are_worth_fusing()) return;
-  fusing_ = std::async(std::launch::async, [this, stop, views = views_.surfaces()] {
+  const auto views = std::make_shared<const std::vector<model::ViewSurface>>(views_.surfaces());
+  const auto work = [this, stop, views] {
     lower_priority();
-    return fuse(views, stop);
-  });
+    return fuse(*views, stop);
+  };
+  try {
+    fusing_ = std::async(std::launch::async, work);
+  } catch (const std::system_error&) {
+    // The system has no thread to give: finish_fusing does the work itself.
+    fusing_ = std::async(std::launch::deferred, work);
+  }
 }
 
 void RoomModeler::Work::finish_fusing() {
@@ -215,6 +225,7 @@ void RoomModeler::Work::finish_fusing() {
 
 RoomModeler::Work::Fused RoomModeler::Work::fuse(const std::vector<model::ViewSurface>& views,
                                                  const std::stop_token& stop) {
+  const nanoseconds before = thread_cpu_time();
   MeshWriterOptions meshing;
   meshing.model = options_.model;
   meshing.colored_only = true;  // viewers give what is left out the colour around it
@@ -230,7 +241,7 @@ RoomModeler::Work::Fused RoomModeler::Work::fuse(const std::vector<model::ViewSu
     changes_.reset();
   }
   const bool is_failure = !mesh && mesh.error().code != ErrorCode::kNotFound;
-  return {thread_cpu_time(), is_failure ? Status(mesh.error()) : Status()};
+  return {thread_cpu_time() - before, is_failure ? Status(mesh.error()) : Status()};
 }
 
 void RoomModeler::Work::load() {
