@@ -37,14 +37,6 @@ function skews_ms(client, sensorIds) {
     .map((times) => Number(times.at(-1) - times[0]) / 1e6);
 }
 
-/**
- * A busy machine is late with some frames, and the hub waits for none for long. Clocks that do not agree leave hardly a
- * set complete.
- */
-function assertMostlyComplete(skews, sets) {
-  assert.ok(skews.length >= 0.5 * sets.length, `${skews.length} of ${sets.length} sets are complete`);
-}
-
 async function witnessOf(t, hub, sensors, sets) {
   const witness = await RoomClient.join(t, hub.url);
   await witness.until('all sensors', () => witness.rosters.at(-1)?.sensors.filter(({ online }) => online).length === sensors);
@@ -72,7 +64,7 @@ test('sensors_whose_clocks_are_days_apart_stamp_room_time', { skip: noOtherHosts
   });
   assert.ok(percentile(errors_us, 0.95) < 1_000, 'within a millisecond');
   const skews = skews_ms(witness, ids);
-  assertMostlyComplete(skews, witness.sets);
+  assert.ok(skews.length >= 0.9 * witness.sets.length, `${skews.length} of ${witness.sets.length} sets are complete`);
   assert.ok(percentile(skews, 0.9) < 2, `the frames of a set are ${percentile(skews, 0.9)} ms apart`);
 });
 
@@ -88,7 +80,7 @@ test('sensors_that_drift_and_drop_frames_at_seconds_apart_line_up', { skip: noRe
   const skews = skews_ms(witness, ids);
   const [median, worst] = [percentile(skews, 0.5).toFixed(1), Math.max(...skews).toFixed(1)];
   t.diagnostic(`${skews.length} of ${witness.sets.length} sets have all sensors, ${median} ms apart, at most ${worst} ms`);
-  assertMostlyComplete(skews, witness.sets);
+  assert.ok(skews.length >= 0.8 * witness.sets.length, `${skews.length} of ${witness.sets.length} sets are complete`);
   const aligned = skews.filter((skew) => skew <= period_ms + 2 * jitter_ms);
   assert.ok(aligned.length >= 0.9 * skews.length, `${aligned.length} of ${skews.length} sets within a frame period`);
 });
