@@ -161,6 +161,13 @@ describe.skipIf(!built)(`a sensor's stream${reason}`, () => {
     expect(stream.traffic.missed).toBe(0);
   });
 
+  test('is held back no longer once the connection is a new one', async () => {
+    const stream = await streamWith(false);
+    stream.traffic.isHeldBack = true;
+    stream.restart();
+    expect(stream.traffic.isHeldBack).toBe(false);
+  });
+
   test('counts what it misses of each rendition by itself', async () => {
     const stream = await streamWith(false);
     stream.push({ ...headerOf(0), seq: 10 }, payloads[0]!);

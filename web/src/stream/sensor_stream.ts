@@ -100,6 +100,7 @@ export class SensorStream {
     this.closeColor();
     this.chain.lose();
     this.expectGaps(false);
+    this.traffic.isHeldBack = false;
   }
 
   /** Another moment of a recording follows, which begins with a key frame. The colour decoder stays: a new one takes long. */
