@@ -91,8 +91,8 @@ files_of_failed_in_tap() {
 }
 
 # end_timed_suite NAME COMMAND...: the same for a TAP suite that was begun with begin_step, and whose tests measure times
-# while the steps beside it keep the machine busy. Files with a failed test are run once more, alone, by COMMAND FILE..., and what fails then has failed.
-# The summary names what passed only then.
+# while the steps beside it keep the machine busy. COMMAND FILE... runs the files with a failed test once more, alone.
+# That run counts, and the summary names the tests that passed only then.
 end_timed_suite() {
   local name=$1 first=() second=() files=() lines=()
   shift

@@ -271,8 +271,8 @@ Status run_hub(const HubFlags& flags) {
   options.recordings = recorders;
   const auto models = make_models(own, plan->config, options.data_folder, log);
   options.models = models;
-  hub::daemon::HubAligners aligners(own,
-                                    log);  // ends before the models, which take time to be written
+  // Ends before the models, which take time to be written.
+  hub::daemon::HubAligners aligners(own, log);
   auto study = open_study(plan->config, options.data_folder);
   if (!study) return study.error();
   options.study = *study;

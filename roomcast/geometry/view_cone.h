@@ -33,7 +33,6 @@ class ViewBounds {
   explicit ViewBounds(const ViewCone& cone, float beside_rad = 0);
 
   [[nodiscard]] const Eigen::Vector3f& eye_m() const { return eye_m_; }
-  [[nodiscard]] const Eigen::Vector3f& forward() const { return forward_; }
   /// How far a point is from the view, in metres; outside of a corner this may be less than the
   /// distance. 0 or less: the point is within. `away_m`: from the eye to the point.
   [[nodiscard]] float distance_outside(const Eigen::Vector3f& away_m) const;

@@ -131,7 +131,7 @@ void Room::follow_surface(RoomSensor& sensor) {
                               culling_.surface_of(sensor.id)));
 }
 
-/// What a viewer is told of the frames that are left out for it.
+/// The message that tells a viewer which sensors' frames the hub leaves out for it.
 pb::Control Room::left_out(const Viewer& viewer) {
   pb::Control message;
   pb::UnseenSensors& unseen = *message.mutable_unseen_sensors();

@@ -26,8 +26,7 @@ bool RenditionChoice::offered(std::size_t sensors, bool has_frames) {
 /// Of all sensors, or of half of those that come whole, at least one, the small rendition is sent
 /// from now on.
 bool RenditionChoice::give_way(std::size_t sensors, bool is_far_too_much) {
-  calm_windows_ = 0;
-  if (std::exchange(has_tried_, false)) patience_ = std::min(2 * patience_, kMaxPatience);
+  take_less();
   if (small_sensors_ >= sensors) return false;
   const std::size_t whole = sensors - small_sensors_;
   small_sensors_ += is_far_too_much ? whole : (whole + 1) / 2;
@@ -41,10 +40,15 @@ bool RenditionChoice::hold_back(std::size_t sensors) {
   const double share =
       std::exchange(dropped_small_sets_, 0) / static_cast<double>(std::exchange(small_sets_, 0));
   if (share <= kTooMuch || held_back_ + 1 >= sensors) return false;
-  calm_windows_ = 0;
-  if (std::exchange(has_tried_, false)) patience_ = std::min(2 * patience_, kMaxPatience);
+  take_less();
   held_back_ += share > kFarTooMuch ? (sensors - held_back_) / 2 : 1;
   return true;
+}
+
+/// If the last change was to more, that failed, and the next one waits twice as long.
+void RenditionChoice::take_less() {
+  calm_windows_ = 0;
+  if (std::exchange(has_tried_, false)) patience_ = std::min(2 * patience_, kMaxPatience);
 }
 
 bool RenditionChoice::try_more() {

@@ -35,6 +35,7 @@ class RenditionChoice {
  private:
   bool give_way(std::size_t sensors, bool is_far_too_much);
   bool hold_back(std::size_t sensors);
+  void take_less();
   bool try_more();
 
   double dropped_sets_ = 0;  // in this window

@@ -207,8 +207,8 @@ net::FramedMessagePtr SendQueue::next_of(QueuedSet& queued) {
   return std::exchange(queued.must_end, false) ? queued.set->end : nullptr;
 }
 
-/// A paused sensor goes on with a key frame, which is asked for then. What the viewer needs most
-/// now comes whole first.
+/// A paused sensor resumes with a key frame, which the room requests then. The renditions are
+/// chosen anew, because the viewer may need other sensors most.
 void SendQueue::set_details(SensorDetails details) {
   details_ = std::move(details);
   if (renditions_.small_sensors() > 0) choose_renditions();

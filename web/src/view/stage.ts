@@ -109,7 +109,7 @@ export class Stage {
     this.touch();
   }
 
-  /** What this viewer sees. In a headset: more than any of its eyes sees. */
+  /** The angles of this viewer's view. A headset has a cone that is wider than the view of either eye. */
   get viewAngles(): ViewAngles {
     if (this.renderer.xr.isPresenting) return { halfAngle: headsetHalfAngle, halfWidth: 0, halfHeight: 0 };
     const { fov, aspect } = this.camera;
