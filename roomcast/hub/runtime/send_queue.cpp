@@ -94,7 +94,15 @@ void SendQueue::drop_excess() {
     const auto oldest = std::ranges::find(sets_, std::size_t{0}, &QueuedSet::next_frame);
     if (waiting <= static_cast<double>(kMaxQueuedBaseSets) && !is_superseded(*oldest)) return;
     count_dropped(*oldest);
+    miss_keys(*oldest->set);
     sets_.erase(oldest);
+  }
+}
+
+/// A key frame that was asked for may be among what was dropped: the next frame asks again.
+void SendQueue::miss_keys(const FrameSet& dropped) {
+  for (const SetFrame& frame : dropped.frames) {
+    if (frame.header.key) chain_of(frame.header.sensor).key_asked = false;
   }
 }
 

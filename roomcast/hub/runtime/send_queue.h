@@ -90,6 +90,7 @@ class SendQueue {
   void follow_line(const FrameSet& offered);
   void choose_renditions();
   void refresh_held_back();
+  void miss_keys(const FrameSet& dropped);
   void ask_for_key(Chain& chain, const wire::FrameHeader& header);
   void count_dropped(const QueuedSet& queued);
   bool drop_superseded();

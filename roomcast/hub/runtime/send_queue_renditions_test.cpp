@@ -164,6 +164,24 @@ TEST_F(SlowLine, of_a_sensor_that_is_held_back_key_frames_come_when_the_line_is_
   EXPECT_GT(messages, SendQueue::kSetsPerHeldKey);
 }
 
+TEST_F(SlowLine, a_small_key_frame_that_is_dropped_is_asked_for_again) {
+  clog();
+  drain(send_queue);
+  auto needs = send_queue.take_small_needs();
+  ASSERT_TRUE(needs.has_value());
+  ASSERT_THAT(needs->keys, ElementsAre(kSensor));
+  const auto begun = offer();              // the line is busy with it
+  for (std::uint32_t i = 0; i < 4; ++i) {  // key frames of another one wait, too
+    send_queue.push_set(frame_set_of({{kOtherSensor, i, i}}));
+    if (i == 0) offer(true);
+  }
+  for (int i = 0; i < 20; ++i) offer();
+  drain(send_queue);
+  needs = send_queue.take_small_needs();
+  ASSERT_TRUE(needs.has_value());
+  EXPECT_THAT(needs->keys, ElementsAre(kSensor));
+}
+
 TEST_F(SlowLine, what_the_viewer_turns_to_comes_whole_first) {
   const auto both = [this] {
     ++seq;
