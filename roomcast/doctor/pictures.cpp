@@ -24,9 +24,7 @@ std::string variable(const char* name) {
 }  // namespace
 
 Finding judge_graphics(const std::string& driver) {
-  constexpr std::array<std::string_view, 3> kSoftware = {"llvmpipe", "softpipe", "swrast"};
-  for (const std::string_view software : kSoftware) {
-    if (driver.find(software) == std::string::npos) continue;
+  if (render::is_in_software(driver)) {
     return {
         "graphics", Verdict::kNotice,
         "Windows and films are drawn by the processor (" + driver + "), which is slow.",

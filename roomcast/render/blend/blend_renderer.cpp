@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "roomcast/render/gl/gl_context.h"
 #include "roomcast/render/gl/gl_state.h"
 
 namespace roomcast::render {
@@ -29,7 +30,9 @@ Result<BlendRenderer> BlendRenderer::create() {
 }
 
 BlendRenderer::BlendRenderer(Programs programs)
-    : programs_(std::move(programs)), no_vertices_(GlVertexArray::create()) {}
+    : programs_(std::move(programs)),
+      no_vertices_(GlVertexArray::create()),
+      in_software_(is_in_software(reinterpret_cast<const char*>(glGetString(GL_RENDERER)))) {}
 
 void BlendRenderer::make_room(const Eyes& eyes) {
   int width = eyes.width(), height = eyes.height();
@@ -51,13 +54,13 @@ void BlendRenderer::make_room(const Eyes& eyes) {
   }
 }
 
-void BlendRenderer::draw(std::span<const SurfaceLayer> layers, const StillModel& model,
-                         const Eyes& eyes, Unseen unseen, const OffscreenTarget& target) {
+void BlendRenderer::draw(std::span<const SurfaceLayer> layers, StillModel& model, const Eyes& eyes,
+                         Unseen unseen, const OffscreenTarget& target) {
   make_room(eyes);
   glEnable(GL_DEPTH_TEST);
   draw_nearest(layers, eyes, target);
   mix(layers, eyes, target.depth());
-  if (!model.is_empty()) fill(model, eyes, target.depth());
+  if (!model.is_empty()) fill(layers, model, eyes, target.depth());
   find_surroundings(eyes, unseen, target.depth());
   resolve(target);
 }
@@ -91,12 +94,22 @@ void BlendRenderer::mix(std::span<const SurfaceLayer> layers, const Eyes& eyes,
 }
 
 /// Into the sums, which the layers have left at 0 there, and into the depth.
-void BlendRenderer::fill(const StillModel& model, const Eyes& eyes,
+void BlendRenderer::fill(std::span<const SurfaceLayer> layers, StillModel& model, const Eyes& eyes,
                          const GlTexture& nearest_depth) {
   glCopyImageSubData(nearest_depth.name(), GL_TEXTURE_2D, 0, 0, 0, 0, shown_depth_.name(),
                      GL_TEXTURE_2D, 0, 0, 0, 0, eyes_ * width_, height_, 1);
   glDepthFunc(GL_LESS);
-  model.draw(eyes, shown_depth_);
+  const bool may_pick = in_software_ && !layers.empty();  // without layers all is one hole
+  if (may_pick) find_holes(nearest_depth);
+  model.draw(eyes, shown_depth_, may_pick ? &holes_ : nullptr);
+}
+
+void BlendRenderer::find_holes(const GlTexture& nearest_depth) {
+  const int width = eyes_ * width_;
+  std::vector<float> depth(static_cast<std::size_t>(width) * static_cast<std::size_t>(height_));
+  glGetTextureImage(nearest_depth.name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                    static_cast<GLsizei>(depth.size() * sizeof(float)), depth.data());
+  holes_.find(depth, width);
 }
 
 void BlendRenderer::find_surroundings(const Eyes& eyes, Unseen unseen,

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "roomcast/render/blend/hole_map.h"
 #include "roomcast/render/blend/still_model.h"
 #include "roomcast/render/blend/surface_layer.h"
 #include "roomcast/render/view/eyes.h"
@@ -31,7 +32,7 @@ class BlendRenderer {
 
   /// Draws over the colours of `target`, which must contain no depth yet. Its size must be the
   /// eyes'.
-  void draw(std::span<const SurfaceLayer> layers, const StillModel& model, const Eyes& eyes,
+  void draw(std::span<const SurfaceLayer> layers, StillModel& model, const Eyes& eyes,
             Unseen unseen, const OffscreenTarget& target);
 
  private:
@@ -50,7 +51,9 @@ class BlendRenderer {
   void draw_nearest(std::span<const SurfaceLayer> layers, const Eyes& eyes,
                     const OffscreenTarget& target);
   void mix(std::span<const SurfaceLayer> layers, const Eyes& eyes, const GlTexture& nearest_depth);
-  void fill(const StillModel& model, const Eyes& eyes, const GlTexture& nearest_depth);
+  void fill(std::span<const SurfaceLayer> layers, StillModel& model, const Eyes& eyes,
+            const GlTexture& nearest_depth);
+  void find_holes(const GlTexture& nearest_depth);
   void find_surroundings(const Eyes& eyes, Unseen unseen, const GlTexture& nearest_depth);
   void begin_surroundings(const Eyes& eyes, const GlTexture& nearest_depth);
   void finish_surroundings(Unseen unseen);
@@ -62,6 +65,8 @@ class BlendRenderer {
   int width_ = 0, height_ = 0, eyes_ = 0;  // size and count for the textures below
   GlTexture color_sum_;
   GlTexture shown_depth_;  // what sensors show, while the model is drawn
+  bool in_software_;
+  HoleMap holes_;  // of shown_depth_; in software only
   GlFramebuffer sum_target_, picture_target_;
   struct Level {  // one layer for each eye, so that eyes share no colours
     GlLayers color, coverage;

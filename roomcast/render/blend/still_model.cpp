@@ -69,7 +69,7 @@ Status StillModel::set_piece(const ModelPlace& place, const ModelSurface& surfac
     return {};
   }
   const std::size_t count = surface.points_m.size();
-  const auto is_beyond = [&](const std::array<std::uint32_t, 3>& triangle) {
+  const auto is_beyond = [&](const ModelTriangle& triangle) {
     return std::ranges::any_of(triangle, [&](std::uint32_t point) { return point >= count; });
   };
   if (surface.colors.size() != count || std::ranges::any_of(surface.triangles, is_beyond))
@@ -86,27 +86,66 @@ Status StillModel::set_piece(const ModelPlace& place, const ModelSurface& surfac
   piece.points = filled_buffer(std::span<const ModelPoint>(points));
   piece.indices = filled_buffer(surface.triangles);
   piece.index_count = static_cast<GLsizei>(3 * surface.triangles.size());
+  piece.cells = ModelCells(surface.points_m, surface.triangles);
   pieces_.insert_or_assign(place, std::move(piece));
   return {};
 }
 
-void StillModel::draw(const Eyes& eyes, const GlTexture& shown_depth) const {
-  const EyeBorders borders(eyes);
+std::vector<const StillModel::Piece*> StillModel::seen_pieces(const Eyes& eyes) const {
   const EyeMatrices clip = clip_from_world(eyes);
+  std::vector<const Piece*> seen;
+  for (const auto& [place, piece] : pieces_) {
+    if (is_outside(piece.box_m, clip[0]) && (eyes.count() == 1 || is_outside(piece.box_m, clip[1])))
+      continue;
+    seen.push_back(&piece);
+  }
+  return seen;
+}
+
+void StillModel::draw_all(std::span<const Piece* const> pieces, const Eyes& eyes) const {
+  for (const Piece* piece : pieces) {
+    glVertexArrayVertexBuffer(vertices_.name(), 0, piece->points.name(), 0, sizeof(ModelPoint));
+    glVertexArrayElementBuffer(vertices_.name(), piece->indices.name());
+    glDrawElementsInstanced(GL_TRIANGLES, piece->index_count, GL_UNSIGNED_INT, nullptr,
+                            eyes.count());
+  }
+}
+
+void StillModel::draw_near(const HoleMap& holes, std::span<const Piece* const> pieces,
+                           const Eyes& eyes) {
+  std::vector<std::size_t> ends;
+  triangles_.clear();
+  for (const Piece* piece : pieces) {
+    piece->cells.add_near_holes(eyes, holes, triangles_);
+    ends.push_back(triangles_.size());
+  }
+  near_holes_ = filled_buffer(std::span<const ModelTriangle>(triangles_));
+  glVertexArrayElementBuffer(vertices_.name(), near_holes_.name());
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (ends[i] == begin) continue;
+    const std::size_t count = 3 * (ends[i] - begin);
+    const auto* const first = reinterpret_cast<const void*>(begin * sizeof(ModelTriangle));
+    glVertexArrayVertexBuffer(vertices_.name(), 0, pieces[i]->points.name(), 0, sizeof(ModelPoint));
+    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT, first,
+                            eyes.count());
+    begin = ends[i];
+  }
+}
+
+void StillModel::draw(const Eyes& eyes, const GlTexture& shown_depth, const HoleMap* holes) {
+  const EyeBorders borders(eyes);
   set_eyes(program_, eyes);
-  program_.set(shaders::still_model_vert::clip_from_world, clip);
+  program_.set(shaders::still_model_vert::clip_from_world, clip_from_world(eyes));
   program_.bind(shaders::still_model_frag::shown_depth, shown_depth);
   program_.use();
   glBindVertexArray(vertices_.name());
   const Enabled culling(GL_CULL_FACE);
   glCullFace(GL_BACK);
-  for (const auto& [place, piece] : pieces_) {
-    if (is_outside(piece.box_m, clip[0]) && (eyes.count() == 1 || is_outside(piece.box_m, clip[1])))
-      continue;
-    glVertexArrayVertexBuffer(vertices_.name(), 0, piece.points.name(), 0, sizeof(ModelPoint));
-    glVertexArrayElementBuffer(vertices_.name(), piece.indices.name());
-    glDrawElementsInstanced(GL_TRIANGLES, piece.index_count, GL_UNSIGNED_INT, nullptr,
-                            eyes.count());
+  if (holes != nullptr) {
+    draw_near(*holes, seen_pieces(eyes), eyes);
+  } else {
+    draw_all(seen_pieces(eyes), eyes);
   }
 }
 

@@ -8,11 +8,14 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <vector>
 
 #include <Eigen/Geometry>
 
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
+#include "roomcast/render/blend/hole_map.h"
+#include "roomcast/render/blend/model_cells.h"
 #include "roomcast/render/gl/shaders.h"
 #include "roomcast/render/view/eyes.h"
 
@@ -26,7 +29,7 @@ using ModelPlace = std::array<std::int32_t, 3>;
 struct ModelSurface {
   std::span<const Eigen::Vector3f> points_m = {};
   std::span<const Rgb8> colors = {};
-  std::span<const std::array<std::uint32_t, 3>> triangles = {};
+  std::span<const ModelTriangle> triangles = {};
 };
 
 class StillModel {
@@ -41,8 +44,9 @@ class StillModel {
   [[nodiscard]] bool is_empty() const { return pieces_.empty(); }
 
   /// Draws into the bound framebuffer, against its depth, where `shown_depth`, a picture of the
-  /// same size, is infinite. Leaves out pieces that no eye sees.
-  void draw(const Eyes& eyes, const GlTexture& shown_depth) const;
+  /// same size, is infinite. Leaves out pieces that no eye sees. With `holes`, those of
+  /// `shown_depth`, it also leaves out triangles without a hole nearby.
+  void draw(const Eyes& eyes, const GlTexture& shown_depth, const HoleMap* holes);
 
  private:
   using Program = DrawProgram<Vertex<shaders::eyes_glsl, shaders::still_model_vert>,
@@ -51,12 +55,18 @@ class StillModel {
     GlBuffer points, indices;
     GLsizei index_count = 0;
     Eigen::AlignedBox3f box_m;
+    ModelCells cells;
   };
   explicit StillModel(Program program);
+  [[nodiscard]] std::vector<const Piece*> seen_pieces(const Eyes& eyes) const;
+  void draw_all(std::span<const Piece* const> pieces, const Eyes& eyes) const;
+  void draw_near(const HoleMap& holes, std::span<const Piece* const> pieces, const Eyes& eyes);
 
   Program program_;
   GlVertexArray vertices_;
   std::map<ModelPlace, Piece> pieces_;
+  GlBuffer near_holes_;  // triangles of one picture
+  std::vector<ModelTriangle> triangles_;
 };
 
 }  // namespace roomcast::render

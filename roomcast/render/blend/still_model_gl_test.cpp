@@ -85,6 +85,46 @@ TEST_F(StillModelTest, has_a_depth_and_is_drawn_for_each_eye) {
   EXPECT_NEAR(target->read_depth_m(ahead, 1).at(32, 24), 3, 0.01);
 }
 
+/// A wall of squares of 2.5 cm, as the hub's model has them.
+ModelWall fine_wall(float z_m) {
+  constexpr std::uint32_t kColumns = 160, kRows = 120;
+  constexpr float kStep_m = 0.025F;
+  ModelWall wall(z_m);
+  wall.points_m.clear();
+  wall.triangles.clear();
+  for (std::uint32_t i = 0; i < kColumns * kRows; ++i) {
+    const std::uint32_t x = i % kColumns, y = i / kColumns;
+    wall.points_m.emplace_back(kStep_m * static_cast<float>(x) - 2, kStep_m * static_cast<float>(y),
+                               z_m);
+    if (x == 0 || y == 0) continue;
+    wall.triangles.push_back({i - kColumns - 1, i - kColumns, i});
+    wall.triangles.push_back({i - kColumns - 1, i, i - 1});
+  }
+  wall.colors.assign(wall.points_m.size(), kModelColor);
+  return wall;
+}
+
+TEST_F(StillModelTest, fills_every_hole_however_small) {
+  SensorPictures pictures = wall(kStillLens, 2000, kRed);
+  fill_box<std::uint16_t>(pictures.depth_mm, 2, 3, 6, 7, 0);
+  fill_box<std::uint16_t>(pictures.depth_mm, 17, 30, 22, 34, 0);
+  fill_box<std::uint16_t>(pictures.depth_mm, 40, 12, 54, 25, 0);
+  add(kFirst, kStillLens, kStillPose, pictures);
+  const Picture without = see(RenderMode::kBlend);
+  ASSERT_TRUE(model(fine_wall(-2.2F)).ok());
+  const Picture with = see(RenderMode::kBlend);
+  int holes = 0;
+  for (int y = 0; y < 48; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const bool is_hole = without.color.at(x, y) == kNothing;
+      holes += is_hole;
+      EXPECT_EQ(with.color.at(x, y), is_hole ? kModelColor : without.color.at(x, y))
+          << "at " << x << ", " << y;
+    }
+  }
+  EXPECT_GT(holes, 150);
+}
+
 TEST_F(StillModelTest, a_piece_that_lacks_something_is_refused) {
   ModelWall colorless(-3), wild(-3);
   colorless.colors.pop_back();

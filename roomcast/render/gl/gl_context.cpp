@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roomcast/render/gl/gl_context.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -106,6 +107,13 @@ std::string EglContext::driver_name() const {
     return std::string(words ? reinterpret_cast<const char*>(words) : "unknown");
   };
   return text(GL_RENDERER) + ", " + text(GL_VERSION);
+}
+
+bool is_in_software(std::string_view driver_name) {
+  constexpr std::array<std::string_view, 3> kDrivers = {"llvmpipe", "softpipe", "swrast"};
+  return std::ranges::any_of(kDrivers, [&](std::string_view name) {
+    return driver_name.find(name) != std::string_view::npos;
+  });
 }
 
 }  // namespace roomcast::render

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "roomcast/core/result.h"
@@ -49,5 +50,8 @@ class EglContext {
   void* context_ = nullptr;
   std::unique_ptr<GlComplaints> complaints_;  // on the heap: the driver keeps its address
 };
+
+/// Whether a driver with this name, or GL_RENDERER, draws on the processor.
+[[nodiscard]] bool is_in_software(std::string_view driver_name);
 
 }  // namespace roomcast::render

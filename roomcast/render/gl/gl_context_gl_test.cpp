@@ -23,6 +23,11 @@ TEST(EglContext, offers_opengl_4_5_core) {
   EXPECT_NE(context->driver_name().find("4.5"), std::string::npos) << context->driver_name();
 }
 
+TEST(EglContext, tells_drivers_in_software_from_graphics_cards) {
+  EXPECT_TRUE(is_in_software("llvmpipe (LLVM 15.0.6, 256 bits), 4.5"));
+  EXPECT_FALSE(is_in_software("NVIDIA GeForce RTX 3060/PCIe/SSE2, 4.6.0"));
+}
+
 TEST(EglContext, collects_what_the_driver_complains_about) {
   Result<EglContext> context = EglContext::create();
   ASSERT_TRUE(context.ok()) << context.error().message;
