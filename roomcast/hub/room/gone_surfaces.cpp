@@ -12,6 +12,7 @@ using namespace std::chrono_literals;
 /// The model believes in what comes before a surface after nine key frames, which take longer.
 constexpr auto kStands = 20s;
 constexpr auto kBetweenKeys = 700ms;
+constexpr std::size_t kLargeCells = 3;  // a person beside a far wall changes one or two
 constexpr std::uint32_t kLonger_cm = 15, kLongerPercent = 5;
 
 bool is_longer(std::uint32_t than_cm, std::uint32_t cm) {
@@ -20,9 +21,9 @@ bool is_longer(std::uint32_t than_cm, std::uint32_t cm) {
 
 }  // namespace
 
-void GoneSurfaces::update(const wire::pb::CoarseDepth& depth, RoomTime now) {
+bool GoneSurfaces::update(const wire::pb::CoarseDepth& depth, RoomTime now) {
   const auto count = static_cast<std::size_t>(depth.near_cm_size());
-  if (depth.far_cm_size() != depth.near_cm_size()) return;
+  if (depth.far_cm_size() != depth.near_cm_size()) return false;
   if (cells_.size() != count || columns_ != depth.columns()) cells_.assign(count, Cell());
   columns_ = depth.columns();
   for (std::size_t i = 0; i < count; ++i) {
@@ -31,6 +32,10 @@ void GoneSurfaces::update(const wire::pb::CoarseDepth& depth, RoomTime now) {
     cell.new_far_cm = depth.far_cm(static_cast<int>(i));
     take(cell, now);
   }
+  const auto gone = static_cast<std::size_t>(std::ranges::count_if(cells_, &Cell::has_gone));
+  const bool is_large = gone >= kLargeCells && gone_cells_ < kLargeCells;
+  gone_cells_ = gone;
+  return is_large;
 }
 
 void GoneSurfaces::take(Cell& cell, RoomTime now) {
@@ -50,6 +55,7 @@ void GoneSurfaces::take(Cell& cell, RoomTime now) {
 
 void GoneSurfaces::key_frame_came(RoomTime now) {
   last_key_ = now;
+  expected_keys_ = std::max(0, expected_keys_ - 1);
   for (Cell& cell : cells_) {
     if (cell.has_gone && ++cell.keys >= kKeysToForget)
       cell = {cell.new_near_cm, cell.new_far_cm, cell.new_near_cm, cell.new_far_cm};
@@ -58,7 +64,7 @@ void GoneSurfaces::key_frame_came(RoomTime now) {
 
 bool GoneSurfaces::wants_key(RoomTime now) const {
   if (last_key_ && now - *last_key_ < kBetweenKeys) return false;
-  return std::ranges::any_of(cells_, &Cell::has_gone);
+  return expected_keys_ > 0 || std::ranges::any_of(cells_, &Cell::has_gone);
 }
 
 }  // namespace roomcast::hub

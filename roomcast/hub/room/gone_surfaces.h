@@ -6,6 +6,7 @@
 // Pure; single-threaded.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -20,8 +21,11 @@ inline constexpr int kKeysToForget = 3;
 
 class GoneSurfaces {
  public:
-  /// The sensor's newest one.
-  void update(const wire::pb::CoarseDepth& depth, RoomTime now);
+  /// The sensor's newest one. True: something large has gone since the one before.
+  bool update(const wire::pb::CoarseDepth& depth, RoomTime now);
+  /// Another sensor has seen something large go. This one may have seen a part of it that changes
+  /// the distances of no cell: what is nearest and farthest there is something else.
+  void expect_changes() { expected_keys_ = kKeysToForget; }
   void key_frame_came(RoomTime now);
   /// True: a key frame that were sent now would help the model to forget something.
   [[nodiscard]] bool wants_key(RoomTime now) const;
@@ -39,6 +43,8 @@ class GoneSurfaces {
   std::uint32_t columns_ = 0;
   std::vector<Cell> cells_;
   std::optional<RoomTime> last_key_;
+  std::size_t gone_cells_ = 0;
+  int expected_keys_ = 0;
 };
 
 }  // namespace roomcast::hub

@@ -40,6 +40,23 @@ TEST(GoneSurfaces, furniture_that_has_gone_wants_three_key_frames_and_no_more) {
   EXPECT_FALSE(gone.wants_key(at(70s)));
 }
 
+TEST(GoneSurfaces, something_large_that_goes_is_said_once_and_expected_of_others) {
+  GoneSurfaces gone, other;
+  EXPECT_FALSE(gone.update(cells({{250, 400}, {250, 400}, {250, 400}}), at(0s)));
+  EXPECT_FALSE(gone.update(cells({{400, 400}, {250, 400}, {250, 400}}), at(10s))) << "one cell";
+  EXPECT_TRUE(gone.update(cells({{400, 400}, {400, 400}, {400, 400}}), at(11s)));
+  EXPECT_FALSE(gone.update(cells({{400, 400}, {400, 400}, {400, 400}}), at(12s)));
+
+  other.update(cells({{100, 500}}), at(0s));
+  EXPECT_FALSE(other.wants_key(at(11s)));
+  other.expect_changes();
+  for (const auto key : {11s, 12s, 13s}) {
+    EXPECT_TRUE(other.wants_key(at(key)));
+    other.key_frame_came(at(key));
+  }
+  EXPECT_FALSE(other.wants_key(at(20s)));
+}
+
 TEST(GoneSurfaces, nobody_who_walks_past_wants_key_frames) {
   GoneSurfaces gone;
   gone.update(cells({{250, 400}}), at(0s));

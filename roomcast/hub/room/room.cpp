@@ -47,7 +47,9 @@ RoomActions Room::control(ConnectionId from, const pb::Control& message, RoomTim
     case pb::Control::kCoarseDepth:
       if (sensor == nullptr) break;
       sensor->coarse_depth = message.coarse_depth();
-      sensor->gone.update(message.coarse_depth(), now);
+      if (sensor->gone.update(message.coarse_depth(), now)) {
+        for (RoomSensor& any : sensors_.all()) any.gone.expect_changes();
+      }
       sensor->surface_pose.reset();
       follow_surface(*sensor);
       return out;

@@ -17,9 +17,9 @@ constexpr int kEnoughFrames = 3;  // a person who walks past is in fewer
 constexpr int kMaxStrange = 6;
 /// A surface is noticeably another one when it is farther off than this.
 constexpr float kSame_mm = 20, kSameShare = 0.015F;
-constexpr double kNoticedShare = 0.004;  // of a view's surfaces
-constexpr double kNoticedColor = 8;      // mean difference, levels
-constexpr int kColorStep = 4;            // pixels from one that is compared to the next
+constexpr double kNoticedShare = 0.004, kNoticedShareAfterChange = 0.001;  // of a view's surfaces
+constexpr double kNoticedColor = 8;  // mean difference, levels
+constexpr int kColorStep = 4;        // pixels from one that is compared to the next
 
 int rounded_mm(const model::StillView& still, int x, int y) {
   return still.is_sure(x, y) ? static_cast<int>(std::lround(still.depth_mm(x, y))) : 0;
@@ -126,10 +126,11 @@ bool KeptViews::needs_more_of(const std::string& sensor) const {
   return found != views_.end() && !is_known(found->second);
 }
 
-bool KeptViews::are_worth_fusing() const {
+bool KeptViews::are_worth_fusing(bool after_change) const {
   if (is_one_gone_) return true;
-  return std::ranges::any_of(views_, [](const auto& named) {
-    return is_known(named.second) && has_changed(named.second);
+  const double noticed_share = after_change ? kNoticedShareAfterChange : kNoticedShare;
+  return std::ranges::any_of(views_, [&](const auto& named) {
+    return is_known(named.second) && has_changed(named.second, noticed_share);
   });
 }
 
@@ -137,7 +138,7 @@ bool KeptViews::is_known(const View& view) {
   return view.still.frames() >= kEnoughFrames;
 }
 
-bool KeptViews::has_changed(const View& view) {
+bool KeptViews::has_changed(const View& view, double noticed_share) {
   if (view.fused_mm.empty()) return true;
   const CameraIntrinsics& camera = view.still.camera();
   std::int64_t surfaces = 0, changed = 0, colors = 0, color_change = 0;
@@ -153,7 +154,7 @@ bool KeptViews::has_changed(const View& view) {
       color_change += difference(view.fused_color.at(x, y), view.still.color(x, y));
     }
   }
-  return static_cast<double>(changed) > kNoticedShare * static_cast<double>(surfaces) ||
+  return static_cast<double>(changed) > noticed_share * static_cast<double>(surfaces) ||
          static_cast<double>(color_change) > kNoticedColor * static_cast<double>(colors);
 }
 

@@ -31,8 +31,9 @@ class KeptViews {
   /// This sensor's view was seen, but in too few pictures to be fused.
   [[nodiscard]] bool needs_more_of(const std::string& sensor) const;
 
-  /// Something noticeable is different since surfaces().
-  [[nodiscard]] bool are_worth_fusing() const;
+  /// Something noticeable is different since surfaces(). Just after a change less is noticeable:
+  /// what is left of a thing that has gone.
+  [[nodiscard]] bool are_worth_fusing(bool after_change = false) const;
   /// The views for fusing: those that were seen in enough frames.
   [[nodiscard]] std::vector<model::ViewSurface> surfaces();
 
@@ -55,7 +56,7 @@ class KeptViews {
   };
   [[nodiscard]] Status add_picture(const SetSensor& sensor, const SetFrame& frame);
   [[nodiscard]] static bool is_known(const View& view);
-  [[nodiscard]] static bool has_changed(const View& view);
+  [[nodiscard]] static bool has_changed(const View& view, double noticed_share);
 
   model::ModelOptions options_;
   std::map<std::string, View> views_;  // by the sensor's name

@@ -23,11 +23,12 @@ class KeptViewsTest : public testing::Test {
       ASSERT_TRUE(views.add(wall_sensors(), later).ok());
     }
   }
-  /// The wall of which the near sensor sees the left `columns` at another distance.
-  static FrameSet wall_with(int columns, std::uint16_t depth_mm) {
+  /// The wall of which the near sensor sees the left `columns`, of the upper `rows`, at another
+  /// distance.
+  static FrameSet wall_with(int columns, std::uint16_t depth_mm, int rows = 48) {
     FrameSet set = wall_set();
     auto pictures = std::make_shared<codec::DecodedFrame>(*set.frames[0].pictures);
-    for (int y = 0; y < 48; ++y) {
+    for (int y = 0; y < rows; ++y) {
       for (int x = 0; x < columns; ++x) pictures->depth_mm.at(x, y) = depth_mm;
     }
     set.frames[0].pictures = pictures;
@@ -65,6 +66,14 @@ TEST_F(KeptViewsTest, furniture_that_goes_is_forgotten_within_three_pictures) {
   const auto& sensor = now.sensors[now.set.frames[1].sensor];
   EXPECT_EQ(sensor.name, "near");
   EXPECT_EQ(now.set.frames[1].pictures->depth_mm.at(3, 20), 2000);
+}
+
+TEST_F(KeptViewsTest, what_is_left_of_furniture_is_worth_fusing_just_after_a_change) {
+  see(wall_with(1, 1500, 8), 20);
+  (void)views.surfaces();
+  see(wall_set(), 4);
+  EXPECT_FALSE(views.are_worth_fusing());
+  EXPECT_TRUE(views.are_worth_fusing(true));
 }
 
 TEST_F(KeptViewsTest, a_person_who_walks_past_is_in_no_view) {

@@ -17,6 +17,8 @@ constexpr double kSameLook = 0.02;    // share of these cubes that may differ
 /// So many of them may be where the other piece has nothing nearby: 0.1 m2. More is a thing that
 /// came or went, also in a piece that is full of others.
 constexpr int kSameThings = 40;
+/// Where something came or went just now, what is left of it is no noise.
+constexpr int kSameThingsAfterChange = 6;
 constexpr double kSameLevel = 4;         // of 0 to 255
 constexpr std::uint64_t kAxisBits = 21;  // of a cube's place on one axis
 constexpr std::int64_t kAxisOffset = 1 << 20;
@@ -88,7 +90,7 @@ ModelPieces::Look ModelPieces::look_of(const model::RoomMesh& mesh) {
   return look;
 }
 
-bool ModelPieces::look_alike(const Look& a, const Look& b) {
+bool ModelPieces::look_alike(const Look& a, const Look& b, std::int64_t same_things) {
   std::vector<std::uint64_t> different;
   std::ranges::set_symmetric_difference(a.places, b.places, std::back_inserter(different));
   const auto size = static_cast<double>(a.places.size() + b.places.size());
@@ -98,25 +100,30 @@ bool ModelPieces::look_alike(const Look& a, const Look& b) {
   const auto things = std::ranges::count_if(different, [&](std::uint64_t key) {
     return !is_near(key, a.places) || !is_near(key, b.places);
   });
-  return things <= kSameThings;
+  return things <= same_things;
 }
 
 bool ModelPieces::update(const model::RoomMesh& mesh, std::uint64_t version) {
+  ++updates_;
   bool is_different = false;
   auto meshes = cut_mesh(mesh, kPieceEdge_m);
   for (auto& [place, piece] : pieces_) {
     if (piece.draco.empty() || meshes.contains(place)) continue;
-    piece = {version, {}, {}};
+    piece = {version, updates_, {}, {}};
     is_different = true;
   }
   for (const auto& [place, part] : meshes) {
     Look look = look_of(part);
     const auto known = pieces_.find(place);
     const bool is_known = known != pieces_.end() && !known->second.draco.empty();
-    if (is_known && look_alike(known->second.look, look)) continue;
+    if (is_known) {
+      const bool has_just_changed = known->second.update + 1 == updates_;
+      const int same_things = has_just_changed ? kSameThingsAfterChange : kSameThings;
+      if (look_alike(known->second.look, look, same_things)) continue;
+    }
     auto coded = model::encode_draco(part);
     if (!coded) continue;  // nothing of it has an area
-    pieces_[place] = {version, std::move(coded->bytes), std::move(look)};
+    pieces_[place] = {version, updates_, std::move(coded->bytes), std::move(look)};
     is_different = true;
   }
   if (!is_different) return false;

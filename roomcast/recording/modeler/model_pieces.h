@@ -41,14 +41,15 @@ class ModelPieces {
   };
   struct Piece {
     std::uint64_t version = 0;
+    std::uint64_t update = 0;         // in which it changed last
     std::vector<std::uint8_t> draco;  // empty: it has gone
     Look look;
   };
   [[nodiscard]] static Look look_of(const model::RoomMesh& mesh);
-  [[nodiscard]] static bool look_alike(const Look& a, const Look& b);
+  [[nodiscard]] static bool look_alike(const Look& a, const Look& b, std::int64_t same_things);
 
   std::map<model::GridPlace, Piece> pieces_;
-  std::uint64_t first_version_ = 0, version_ = 0;
+  std::uint64_t first_version_ = 0, version_ = 0, updates_ = 0;
 };
 
 /// The parts of `mesh` by the cube in which the middle of their triangles is, points numbered anew.

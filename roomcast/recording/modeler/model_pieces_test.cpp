@@ -104,12 +104,12 @@ model::RoomMesh raised(model::RoomMesh mesh, float by_m) {
   return mesh;
 }
 
-/// The first 7 rows of 7 points, as of a thing's top.
-model::RoomMesh top_at(float height_m) {
+/// The first `side` rows of as many points, as of a thing's top.
+model::RoomMesh top_at(float height_m, std::uint32_t side = 7) {
   model::RoomMesh top = raised(floor_at(0.5F), height_m);
   std::erase_if(top.triangles, [&](const auto& triangle) {
     return std::ranges::any_of(
-        triangle, [](std::uint32_t point) { return point / 21 > 6 || point % 21 > 6; });
+        triangle, [&](std::uint32_t point) { return point / 21 >= side || point % 21 >= side; });
   });
   return top;
 }
@@ -122,6 +122,20 @@ TEST(ModelPieces, a_small_thing_that_goes_from_a_piece_full_of_others_is_a_chang
   EXPECT_TRUE(pieces.update(both(shelves, top_at(1.7F)), 100));
   EXPECT_FALSE(pieces.update(both(shelves, top_at(1.75F)), 200)) << "nearly where it was";
   EXPECT_TRUE(pieces.update(shelves, 300));
+}
+
+TEST(ModelPieces, what_is_left_of_a_thing_that_has_just_gone_is_a_change_noise_is_none) {
+  const model::RoomMesh floor = floor_at(0.5F);
+  const auto part_of_top = [&](std::uint32_t side) {
+    const auto cut = cut_mesh(top_at(1.2F, side), kPieceEdge_m);  // without unused points
+    return both(floor, cut.begin()->second);
+  };
+  ModelPieces pieces;
+  EXPECT_TRUE(pieces.update(part_of_top(9), 100));
+  EXPECT_TRUE(pieces.update(part_of_top(4), 200));
+  EXPECT_TRUE(pieces.update(floor, 300)) << "16 cubes are left";
+  EXPECT_FALSE(pieces.update(floor, 400));
+  EXPECT_FALSE(pieces.update(part_of_top(2), 500)) << "nothing has changed here for a while";
 }
 
 TEST(ModelPieces, a_piece_that_goes_is_named_with_nothing_in_it) {

@@ -22,6 +22,7 @@
 #include "roomcast/core/interruptible_wait.h"
 #include "roomcast/recording/live_sets/live_sets.h"
 #include "roomcast/recording/mesh/mesh_writer.h"
+#include "roomcast/recording/modeler/cpu_allowance.h"
 #include "roomcast/recording/modeler/kept_views.h"
 #include "roomcast/recording/modeler/model_pieces.h"
 #include "roomcast/recording/modeler/view_folder.h"
@@ -38,9 +39,6 @@ constexpr auto kBetweenRequests = 4s;
 constexpr auto kBetweenSaves = 60s;
 /// From the first view in which something is different: the other sensors' follow.
 constexpr auto kSettle = 1500ms;
-/// Fusing takes at most a third of a core's time, so that a room in which much changes does not
-/// keep one busy. Counted in CPU time: on a busy machine work that takes long is not more work.
-constexpr int kRestPerWork = 2;
 
 std::uint64_t milliseconds_since_1970() {
   return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -94,6 +92,7 @@ class RoomModeler::Work {
   void finish_fusing();
   struct Fused {
     nanoseconds spent{};  // CPU time
+    bool is_different = false;
     Status status;
   };
   Fused fuse(const std::vector<model::ViewSurface>& views, const std::stop_token& stop);
@@ -106,7 +105,8 @@ class RoomModeler::Work {
   KeptViews views_;
   LiveSets sets_;
   SteadyClock clock_;
-  HostTime next_request_{}, next_fusing_{}, next_save_{};
+  HostTime next_request_{}, next_save_{};
+  CpuAllowance fusing_time_;         // a room in which much changes must not keep a core busy
   std::optional<HostTime> noticed_;  // when something was different first; not fused yet
   /// Sensors that the hub has named. One that it names no longer was sent away; one that it has not
   /// named yet may still come.
@@ -116,6 +116,7 @@ class RoomModeler::Work {
   /// On a thread of its own, where the system has one: meanwhile key frames come, and one that is
   /// not taken is lost.
   std::future<Fused> fusing_;
+  bool is_changing_ = false;  // the newest model looks different from the one before
   bool is_unsaved_ = false;
   std::string warned_;  // the last warning; it is not repeated
 
@@ -158,7 +159,7 @@ void RoomModeler::Work::follow(client::Subscriber& room, const std::stop_token& 
       revision = snapshot->revision;
       take(*snapshot);
       if (clock_.now() >= next_request_) ask_for_more(*snapshot, room);
-      if (!noticed_ && views_.are_worth_fusing()) noticed_ = clock_.now();
+      if (!noticed_ && views_.are_worth_fusing(is_changing_)) noticed_ = clock_.now();
     }
     fuse_when_due(stop);
     if (clock_.now() >= next_save_) save();
@@ -196,13 +197,13 @@ void RoomModeler::Work::fuse_when_due(const std::stop_token& stop) {
     if (fusing_.wait_for(0s) == std::future_status::timeout) return;
     finish_fusing();
   }
-  if (!noticed_ || clock_.now() < std::max(*noticed_ + kSettle, next_fusing_)) return;
+  if (!noticed_ || clock_.now() < std::max(*noticed_ + kSettle, fusing_time_.next())) return;
   noticed_.reset();
   start_fusing(stop);
 }
 
 void RoomModeler::Work::start_fusing(const std::stop_token& stop) {
-  if (!views_.are_worth_fusing()) return;
+  if (!views_.are_worth_fusing(is_changing_)) return;
   const auto views = std::make_shared<const std::vector<model::ViewSurface>>(views_.surfaces());
   const auto work = [this, stop, views] {
     lower_priority();
@@ -220,7 +221,8 @@ void RoomModeler::Work::finish_fusing() {
   const Fused fused = fusing_.get();
   if (!fused.status) warn(fused.status.error());
   is_unsaved_ = true;
-  next_fusing_ = clock_.now() + kRestPerWork * fused.spent;
+  is_changing_ = fused.is_different;
+  fusing_time_.spent(fused.spent, clock_.now());
 }
 
 RoomModeler::Work::Fused RoomModeler::Work::fuse(const std::vector<model::ViewSurface>& views,
@@ -231,17 +233,18 @@ RoomModeler::Work::Fused RoomModeler::Work::fuse(const std::vector<model::ViewSu
   meshing.colored_only = true;  // viewers give what is left out the colour around it
   const auto mesh = mesh_surfaces(views, meshing, {}, Workers(1, stop));
   if (stop.stop_requested()) return {};
+  bool is_different = false;
   {
     // Coding takes long, and viewers who ask meanwhile wait on the hub's thread for rooms.
     ModelPieces pieces = pieces_;
-    pieces.update(mesh ? *mesh : model::RoomMesh(),
-                  std::max(milliseconds_since_1970(), pieces.version() + 1));
+    is_different = pieces.update(mesh ? *mesh : model::RoomMesh(),
+                                 std::max(milliseconds_since_1970(), pieces.version() + 1));
     const std::lock_guard lock(mutex_);
     pieces_ = std::move(pieces);
     changes_.reset();
   }
   const bool is_failure = !mesh && mesh.error().code != ErrorCode::kNotFound;
-  return {thread_cpu_time() - before, is_failure ? Status(mesh.error()) : Status()};
+  return {thread_cpu_time() - before, is_different, is_failure ? Status(mesh.error()) : Status()};
 }
 
 void RoomModeler::Work::load() {
