@@ -45,7 +45,7 @@ constexpr auto kQueue = 25ms;    // of round trip above the least
 constexpr double kQueueShare = 0.25;
 constexpr auto kStanding = 120ms;          // a queue that a single frame makes is gone by then
 constexpr double kDrain = 0.4;             // per second, while a queue stands
-constexpr double kMostDrained = 0.25;      // then the queue is somebody else's
+constexpr double kMaxDrained = 0.25;      // then the queue is somebody else's
 constexpr double kRoundTripAgeing = 0.01;  // per second: the way may have become longer
 
 double seconds_of(nanoseconds time) {
@@ -142,7 +142,7 @@ void BandwidthEstimator::cut(double delivered_per_s, HostTime now) {
 
 /// Several senders on one line fill its queue although none of them has more than its line takes.
 void BandwidthEstimator::drain(double seconds) {
-  const double least = std::min(rate_, (1 - kMostDrained) * rate_when_queued_);
+  const double least = std::min(rate_, (1 - kMaxDrained) * rate_when_queued_);
   rate_ = std::max({kMin, least, rate_ * (1 - kDrain * seconds)});
   growth_ = kCarefulGrowth;
 }

@@ -14,7 +14,7 @@ namespace roomcast::recording {
 
 struct CpuAllowanceOptions {
   int time_per_work = 3;  // a third of a core
-  nanoseconds most_saved = std::chrono::seconds(10);
+  nanoseconds max_saved = std::chrono::seconds(10);
 };
 
 class CpuAllowance {
@@ -25,7 +25,7 @@ class CpuAllowance {
   [[nodiscard]] HostTime next() const { return next_; }
   /// Work has ended that took so much CPU time.
   void spent(nanoseconds cpu_time, HostTime now) {
-    next_ = std::max(next_, now - options_.most_saved) + options_.time_per_work * cpu_time;
+    next_ = std::max(next_, now - options_.max_saved) + options_.time_per_work * cpu_time;
   }
 
  private:

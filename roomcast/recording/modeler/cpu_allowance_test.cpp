@@ -33,7 +33,7 @@ TEST(CpuAllowance, work_that_goes_on_takes_a_third_of_the_time) {
 }
 
 TEST(CpuAllowance, no_more_is_saved_than_allowed) {
-  CpuAllowance allowance({.time_per_work = 3, .most_saved = 4s});
+  CpuAllowance allowance({.time_per_work = 3, .max_saved = 4s});
   allowance.spent(0s, allowance_time(0s));
   allowance.spent(5s, allowance_time(3600s));
   EXPECT_EQ(allowance.next(), allowance_time(3611s));
