@@ -45,7 +45,7 @@ constexpr auto kQueue = 25ms;    // of round trip above the least
 constexpr double kQueueShare = 0.25;
 constexpr auto kStanding = 120ms;          // a queue that a single frame makes is gone by then
 constexpr double kDrain = 0.4;             // per second, while a queue stands
-constexpr double kMaxDrained = 0.25;      // then the queue is somebody else's
+constexpr double kMaxDrained = 0.25;       // then the queue is somebody else's
 constexpr double kRoundTripAgeing = 0.01;  // per second: the way may have become longer
 
 double seconds_of(nanoseconds time) {
