@@ -12,6 +12,7 @@ using namespace std::chrono_literals;
 /// The model believes in what comes before a surface after nine key frames, which take longer.
 constexpr auto kStands = 20s;
 constexpr auto kBetweenKeys = 700ms;
+constexpr auto kBetweenLarge = 10s;
 constexpr std::size_t kLargeCells = 3;  // a person beside a far wall changes one or two
 constexpr std::uint32_t kLonger_cm = 15, kLongerPercent = 5;
 
@@ -33,8 +34,10 @@ bool GoneSurfaces::update(const wire::pb::CoarseDepth& depth, RoomTime now) {
     take(cell, now);
   }
   const auto gone = static_cast<std::size_t>(std::ranges::count_if(cells_, &Cell::has_gone));
-  const bool is_large = gone >= kLargeCells && gone_cells_ < kLargeCells;
+  const bool is_large = gone >= kLargeCells && gone_cells_ < kLargeCells &&
+                        (!last_large_ || now - *last_large_ >= kBetweenLarge);
   gone_cells_ = gone;
+  if (is_large) last_large_ = now;
   return is_large;
 }
 

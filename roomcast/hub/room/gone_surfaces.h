@@ -21,7 +21,8 @@ inline constexpr int kKeysToForget = 3;
 
 class GoneSurfaces {
  public:
-  /// The sensor's newest one. True: something large has gone since the one before.
+  /// The sensor's newest one. True: something large has gone since the one before. At most every
+  /// 10 s, whatever the sensor says.
   bool update(const wire::pb::CoarseDepth& depth, RoomTime now);
   /// Another sensor has seen something large go. This one may have seen a part of it that changes
   /// the distances of no cell: what is nearest and farthest there is something else.
@@ -42,7 +43,7 @@ class GoneSurfaces {
 
   std::uint32_t columns_ = 0;
   std::vector<Cell> cells_;
-  std::optional<RoomTime> last_key_;
+  std::optional<RoomTime> last_key_, last_large_;
   std::size_t gone_cells_ = 0;
   int expected_keys_ = 0;
 };

@@ -57,6 +57,18 @@ TEST(GoneSurfaces, something_large_that_goes_is_said_once_and_expected_of_others
   EXPECT_FALSE(other.wants_key(at(20s)));
 }
 
+TEST(GoneSurfaces, a_sensor_that_says_so_all_the_time_is_believed_every_ten_seconds) {
+  GoneSurfaces gone;
+  int believed = 0;
+  for (int second = 0; second < 100; second += 2) {
+    gone.update(cells({{250, 400}, {250, 400}, {250, 400}}), at(second * 1s));
+    gone.update(cells({{1, 1}}), at(second * 1s));  // other cells: all begins anew
+    gone.update(cells({{100, 100}, {100, 100}, {100, 100}}), at(second * 1s));
+    believed += gone.update(cells({{400, 400}, {400, 400}, {400, 400}}), at(second * 1s + 1s));
+  }
+  EXPECT_EQ(believed, 10);
+}
+
 TEST(GoneSurfaces, nobody_who_walks_past_wants_key_frames) {
   GoneSurfaces gone;
   gone.update(cells({{250, 400}}), at(0s));
