@@ -92,11 +92,23 @@ files_of_failed_in_tap() {
 
 # end_timed_suite NAME COMMAND...: the same for a TAP suite that was begun with begin_step, and whose tests measure times
 # while the steps beside it keep the machine busy. COMMAND FILE... runs the files with a failed test once more, alone.
-# That run counts, and the summary names the tests that passed only then.
 end_timed_suite() {
+  await_step
+  count_timed_suite "$@"
+}
+
+# timed_suite NAME COMMAND FILE...: the same for TAP tests that keep the machine busy themselves, as browsers do that draw
+# without a graphics card. COMMAND FILE... runs files.
+timed_suite() {
+  run_step "$@"
+  count_timed_suite "$1" "$2"
+}
+
+# count_timed_suite NAME COMMAND...: if tests of the suite that has just ended failed, COMMAND FILE... runs their files
+# once more. That run counts, and the summary names the tests that passed only then.
+count_timed_suite() {
   local name=$1 first=() second=() files=() lines=()
   shift
-  await_step
   if ((step_status != 0)); then mapfile -t files < <(files_of_failed_in_tap "$step_log"); fi
   if ((${#files[@]} == 0)); then
     count_suite tap ""
@@ -104,7 +116,7 @@ end_timed_suite() {
   fi
   read -r -a first < <(read_tap "$step_log")
   mapfile -t lines < <(names_of_failed_in_tap "$step_log")
-  say "${first[1]} failed beside other suites; their files are run again"
+  say "${first[1]} failed on a busy machine; their files are run again"
   step_count=$((step_count + 1))
   run_step "$name alone" "$@" "${files[@]}"
   read -r -a second < <(read_tap "$step_log") || second=(0 0 0)

@@ -17,9 +17,8 @@ constexpr auto kMaxGap = 500ms;  // between readings; a longer one is a program 
 constexpr auto kShortLook = 120ms, kLongLook = 300ms;
 constexpr double kMuchLess = 0.65, kLess = 0.97;
 constexpr double kRoundTripsOfLook = 4;
-constexpr double kMinBytesOfLook =
-    8 * 1448;                          // fewer segments arrive too unevenly: taken for so many
-constexpr auto kInterruption = 100ms;  // in which nothing arrives although bytes wait
+constexpr double kMinBytesOfLook = 8 * 1448;  // fewer segments arrive too unevenly
+constexpr auto kInterruption = 100ms;         // in which nothing arrives although bytes wait
 
 constexpr double kCut = 0.86;    // of what was delivered: what waits leaves meanwhile
 constexpr double kMaxCut = 0.3;  // of the rate before, at once
@@ -32,8 +31,8 @@ constexpr auto kPartOfLook = 80ms;
 // Growth, per second, as a logarithm.
 const double kStartGrowth = std::log(4.0), kReturnGrowth = std::log(2.0),
              kMaxGrowth = std::log(4.0);
-constexpr double kCarefulGrowth = 0.07;
-constexpr double kNear = 0.85, kBeyond = 1.02;  // of the last capacity
+constexpr double kCarefulGrowth = 0.1;
+constexpr double kNear = 0.85, kBeyond = 1.04;  // of the last capacity
 constexpr double kGrowthDoubles_s = 0.25;
 constexpr double kFairGrowth = 12'000;  // bytes/s each second
 constexpr double kBelowBbr = 0.95;
@@ -43,9 +42,6 @@ constexpr double kUsed = 0.6;    // of the rate; a rate that is not used is not 
 constexpr double kAgeing = 0.1;  // per second, of a rate that is not used
 constexpr auto kQueue = 25ms;    // of round trip above the least
 constexpr double kQueueShare = 0.25;
-constexpr auto kStanding = 120ms;          // a queue that a single frame makes is gone by then
-constexpr double kDrain = 0.4;             // per second, while a queue stands
-constexpr double kMaxDrained = 0.25;       // then the queue is somebody else's
 constexpr double kRoundTripAgeing = 0.01;  // per second: the way may have become longer
 
 double seconds_of(nanoseconds time) {
@@ -71,8 +67,6 @@ void BandwidthEstimator::add(const Reading& reading) {
   if (goes_on) {
     if (const auto delivered_per_s = overload(reading))
       cut(*delivered_per_s, reading.time);
-    else if (has_standing_queue(reading))
-      drain(seconds);
     else
       grow(reading, seconds);
   }
@@ -91,22 +85,12 @@ void BandwidthEstimator::observe(const Reading& reading) {
     full_since_.reset();
   else if (!full_since_ || was_interrupted)
     full_since_ = reading.time;
-  observe_round_trip(reading);
-}
-
-void BandwidthEstimator::observe_round_trip(const Reading& reading) {
   if (reading.round_trip <= 0ns) return;
   if (least_round_trip_ != nanoseconds::max() && !moments_.empty()) {
     const double seconds = seconds_of(reading.time - moments_.back().time);
     least_round_trip_ = times(1 + kRoundTripAgeing * seconds, least_round_trip_);
   }
   least_round_trip_ = std::min(least_round_trip_, reading.round_trip);
-  if (!has_queue(reading))
-    queued_since_.reset();
-  else if (!queued_since_) {
-    queued_since_ = reading.time;
-    rate_when_queued_ = rate_;
-  }
 }
 
 /// The delivery rate of a full line, bytes/s, if it is less than the rate to send at.
@@ -119,13 +103,11 @@ std::optional<double> BandwidthEstimator::overload(const Reading& reading) const
   if (full < kShortLook) return std::nullopt;
   const nanoseconds look = std::min(full, long_look);
   const HostTime begin = reading.time - look;
+  const double delivered = delivered_since(begin, reading);
+  if (delivered < kMinBytesOfLook) return std::nullopt;
   const bool has_losses = has_resent_since(begin, reading);
-  // Without a queue, losses do not come from a slower line.
-  if (has_losses && full < long_look && !has_queue(reading)) return std::nullopt;
-  const double least_seen = kMinBytesOfLook / seconds_of(look);
-  const double per_s =
-      std::max(least_seen, has_losses ? best_part_since(begin, reading)
-                                      : delivered_since(begin, reading) / seconds_of(look));
+  if (has_losses && full < long_look) return std::nullopt;
+  const double per_s = has_losses ? best_part_since(begin, reading) : delivered / seconds_of(look);
   // Bytes that arrive now were sent a round trip ago, at the rate of that time.
   const double sent = std::min(rate_, rate_before(reading.time - reading.round_trip));
   const double least = full >= long_look ? kLess : kMuchLess;
@@ -138,13 +120,6 @@ void BandwidthEstimator::cut(double delivered_per_s, HostTime now) {
   growth_ = kCarefulGrowth;
   next_cut_ = now + kCutInterval;
   full_since_ = now;
-}
-
-/// Several senders on one line fill its queue although none of them has more than its line takes.
-void BandwidthEstimator::drain(double seconds) {
-  const double least = std::min(rate_, (1 - kMaxDrained) * rate_when_queued_);
-  rate_ = std::max({kMin, least, rate_ * (1 - kDrain * seconds)});
-  growth_ = kCarefulGrowth;
 }
 
 void BandwidthEstimator::grow(const Reading& reading, double seconds) {
@@ -194,12 +169,6 @@ double BandwidthEstimator::used_share(const Reading& reading) const {
 bool BandwidthEstimator::has_queue(const Reading& reading) const {
   if (least_round_trip_ == nanoseconds::max()) return false;
   return reading.round_trip > times(1 + kQueueShare, least_round_trip_) + kQueue;
-}
-
-/// One that frames in a row have not emptied, and that this sender may still do something about.
-bool BandwidthEstimator::has_standing_queue(const Reading& reading) const {
-  return queued_since_ && reading.time - *queued_since_ >= kStanding &&
-         !reading.is_probing_round_trip;
 }
 
 double BandwidthEstimator::rate_before(HostTime time) const {

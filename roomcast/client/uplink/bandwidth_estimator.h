@@ -2,8 +2,7 @@
 // BandwidthEstimator: finds the rate that a sender may use on its line, out of what its own TCP
 // delivers. While bytes wait without a break, the line is full, and what it delivers is what it
 // can: if that is less than the rate, the rate is cut below it, so that what waits can leave.
-// While a queue stands on the way, as senders make it who share a line, the rate falls a little.
-// Otherwise it grows: fast at first, carefully near the last rate that was too high, faster
+// Otherwise the rate grows: fast at first, carefully near the last rate that was too high, faster
 // beyond it. An interruption is no sign of a slower line, and losses without a queue are a weak
 // one. Pure; time is an argument. Single-threaded. Sources: capacity as the delivery rate while the
 // sender is not limited by itself, as in BBR (Cardwell et al. 2016); growth by the distance to the
@@ -49,15 +48,12 @@ class BandwidthEstimator {
   };
 
   void observe(const Reading& reading);
-  void observe_round_trip(const Reading& reading);
   [[nodiscard]] std::optional<double> overload(const Reading& reading) const;
   void cut(double delivered_per_s, HostTime now);
-  void drain(double seconds);
   void grow(const Reading& reading, double seconds);
   [[nodiscard]] double growth_per_s(double seconds);
   [[nodiscard]] double used_share(const Reading& reading) const;
   [[nodiscard]] bool has_queue(const Reading& reading) const;
-  [[nodiscard]] bool has_standing_queue(const Reading& reading) const;
   [[nodiscard]] double rate_before(HostTime time) const;
   [[nodiscard]] bool has_resent_since(HostTime begin, const Reading& reading) const;
   [[nodiscard]] double best_part_since(HostTime begin, const Reading& reading) const;
@@ -71,8 +67,6 @@ class BandwidthEstimator {
   HostTime last_arrival_{};
   HostTime next_cut_{};
   nanoseconds least_round_trip_{nanoseconds::max()};
-  std::optional<HostTime> queued_since_;
-  double rate_when_queued_ = 0;
 };
 
 }  // namespace roomcast::client

@@ -64,8 +64,6 @@ class BandwidthEstimatorTest : public testing::Test {
   }
 
   [[nodiscard]] double in_flight() const { return sent_ - delivered_; }
-  void queue(double seconds) { queued_ += seconds * capacity; }
-  [[nodiscard]] double queued_s() const { return queued_ / capacity; }
   [[nodiscard]] double mbit() const { return estimator.bytes_per_s() / kMbit; }
   void forget_extremes() { highest = lowest = estimator.bytes_per_s(); }
 
@@ -174,42 +172,6 @@ TEST_F(BandwidthEstimatorTest, a_slower_line_whose_queue_overflows_is_one) {
   run(1.5);
   EXPECT_LT(mbit(), 2.3);
   EXPECT_GT(mbit(), 1.0);
-}
-
-TEST_F(BandwidthEstimatorTest, losses_of_a_full_queue_do_not_put_off_the_cut) {
-  longest_queue_s = 0.1;
-  for (int moment = 0; moment < 10; ++moment) {  // of what the estimate does anyway
-    estimator = {};
-    capacity = 8 * kMbit;
-    run(5 + 0.2 * moment);
-    capacity = 2 * kMbit;
-    run(0.6);
-    EXPECT_LT(mbit(), 2.5) << moment;
-  }
-}
-
-TEST_F(BandwidthEstimatorTest, a_queue_that_stands_is_drained) {
-  capacity = 2 * kMbit;
-  run(8);
-  queue(0.1);  // as other senders leave it
-  run(2);
-  double queued_s = 0;
-  constexpr int kParts = 100;
-  for (int part = 0; part < kParts; ++part) {
-    run(0.1);
-    queued_s += this->queued_s() / kParts;
-  }
-  EXPECT_LT(queued_s, 0.04);
-  EXPECT_GT(mbit(), 0.8 * 2);
-}
-
-TEST_F(BandwidthEstimatorTest, a_queue_of_somebody_else_does_not_starve_it) {
-  run(5);
-  round_trip_s += 0.1;  // it stands, whatever this sender does
-  run(1);
-  EXPECT_GT(mbit(), 0.7 * 8);
-  run(10);
-  EXPECT_GT(mbit(), 0.7 * 8);
 }
 
 TEST_F(BandwidthEstimatorTest, holds_while_the_kernel_probes_the_round_trip) {
