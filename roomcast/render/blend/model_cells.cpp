@@ -32,8 +32,8 @@ struct EyePart {
   }
 };
 
-/// What is between two corners, from -1 to 1 in the eye's part. Half a pixel more on each side,
-/// because drivers round.
+/// Whether there is a hole in the rectangle between two corners, given from -1 to 1 in the eye's
+/// part. The rectangle is widened by half a pixel on each side, because drivers round.
 bool is_near_hole(const EyePart& eye, const Eigen::Vector2f& low, const Eigen::Vector2f& high) {
   if ((low.array() > 1).any() || (high.array() < -1).any()) return false;
   const Eigen::Array2f half_px = 0.5F * eye.size_px.cast<float>();
