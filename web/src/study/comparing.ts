@@ -47,9 +47,9 @@ export class Comparing {
   async run(decided: (verdict: Verdict) => void): Promise<void> {
     const order = drawnOrder(this.comparison.pairs, Math.random);
     for (const [number, { index, pair, left }] of order.entries()) {
-      setText(this.progress, texts.pairOf(number + 1, order.length));
       const kinds: Kind[] = left === 'real' ? ['real', 'drawn'] : ['drawn', 'real'];
       const shown = await Promise.all(kinds.map(async (kind) => paint(await this.picture(index, kind))));
+      setText(this.progress, texts.pairOf(number + 1, order.length)); // with its pictures: those of the pair before were there until now
       const { chosen, after_s } = await this.ask(shown);
       decided({ pair, left, chosen, correct: (chosen === 'left') === (left === 'real'), after_s });
     }
