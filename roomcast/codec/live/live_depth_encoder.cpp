@@ -89,12 +89,14 @@ void LiveDepthEncoder::begin_anew(const SigmaCodes& sigma) {
   }
 }
 
-// The target is the stored background where it differs from the picture; else the picture,
-// corrected by the average of later readings.
+// The target is the stored background where something stands before it; else the picture,
+// corrected by the average of later readings. A background that is seen through, or gives no
+// readings any more, has gone: coded again, it would be shown wherever the newest frame has no
+// reading to the contrary.
 void LiveDepthEncoder::choose_background_target() {
   for (std::size_t i = 0; i < memory_.size(); ++i) {
     const std::uint16_t old = state_.picture[i], back = state_.background[i];
-    if (back != 0 && back != old) {
+    if (old != 0 && back > old) {
       memory_[i] = back;
     } else if (old == 0 || history_.count[i] < 4) {
       memory_[i] = old;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Quality of live depth: no worse than the sensor on static, moving and slowly moving surfaces, no
 // change shown late, no reading off by more than the bound. Simulated scenes.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -139,6 +140,43 @@ TEST(LiveQuality, a_vanished_surface_is_gone_within_half_a_second) {
   for (int i = 0; i < kHalfSecond; ++i) encoder.encode(room, schedule.next(false), bytes);
   for (int y = 62; y < 78; ++y) {
     for (int x = 62; x < 78; ++x) ASSERT_EQ(encoder.shown_mm().at(x, y), 0) << x << "," << y;
+  }
+}
+
+/// What a key frame shows that is encoded after a thing of 20 x 20 pixels has gone and somebody has
+/// passed before the place. `behind_mm`: of the surface behind the thing in every fourth frame; 0
+/// where it is read in no other.
+DepthImage shown_where_a_thing_has_gone(std::uint16_t behind_mm) {
+  constexpr FrameRole kKey{true, 0}, kOther{false, 0};
+  constexpr std::uint16_t kThing_mm = 3000, kSomebody_mm = 1000;
+  DepthImage room(128, 96);
+  std::ranges::fill_n(room.data(), room.view().pixel_count(), std::uint16_t{5000});
+  LiveDepthEncoder encoder({room.width(), room.height()});
+  std::vector<std::uint8_t> bytes;
+  const auto encode = [&](FrameRole role, std::uint16_t reading_mm) {
+    for (int y = 60; y < 80; ++y) {
+      for (int x = 60; x < 80; ++x) room.at(x, y) = reading_mm;
+    }
+    encoder.encode(room, role, bytes);
+  };
+  encode(kKey, kThing_mm);
+  for (int i = 0; i < 30; ++i) encode(kOther, kThing_mm);
+  for (int i = 1; i <= 12; ++i) encode(kOther, i % 4 == 0 ? behind_mm : std::uint16_t{0});
+  encode(kKey, 0);
+  for (int i = 0; i < 5; ++i) encode(kOther, kSomebody_mm);
+  encode(kKey, 0);
+  for (int y = 0; y < room.height(); ++y)
+    std::copy_n(encoder.shown_mm().row(y), room.width(), room.view().row(y));
+  return room;
+}
+
+TEST(LiveQuality, a_key_frame_does_not_bring_back_what_has_gone) {
+  for (const int behind_mm : {0, 5000}) {
+    const DepthImage shown = shown_where_a_thing_has_gone(static_cast<std::uint16_t>(behind_mm));
+    for (int y = 62; y < 78; ++y) {
+      for (int x = 62; x < 78; ++x)
+        ASSERT_GT(std::abs(shown.at(x, y) - 3000), 200) << x << "," << y << " of " << behind_mm;
+    }
   }
 }
 
