@@ -75,6 +75,7 @@ struct HttpServerOptions {
   std::size_t max_connections = 1024;         // open sockets of all kinds; more are rejected (503)
   std::size_t max_header_bytes = 8 * 1024;    // of a request
   std::chrono::milliseconds header_within{5'000};     // a whole request header, and idle keep-alive
+  std::chrono::milliseconds idle_grace{1'000};        // for a next request that is on its way then
   std::chrono::milliseconds response_within{60'000};  // a whole answer
   std::chrono::milliseconds malformed_reply_delay{3'000};  // before a malformed request is answered
   std::chrono::milliseconds linger_timeout{1'000};  // from our last byte to the closed socket

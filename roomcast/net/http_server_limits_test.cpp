@@ -65,6 +65,28 @@ TEST_F(HttpServerTest, a_slow_header_is_cut_off) {
   EXPECT_TRUE(run_until([&] { return server_->connection_count() == 0; }));
 }
 
+TEST_F(HttpServerTest, an_idle_connection_is_cut_off) {
+  auto quick = options();
+  quick.header_within = 50ms;
+  quick.idle_grace = 50ms;
+  listen(std::move(quick));
+  EXPECT_THAT(exchange(request("GET", "/page", "")), EndsWith("a page"));
+}
+
+TEST_F(HttpServerTest, a_request_that_is_on_its_way_when_the_promised_time_ends_is_answered) {
+  auto patient = options();
+  patient.header_within = 50ms;
+  patient.idle_grace = 10s;
+  listen(std::move(patient));
+  auto socket = raw_connection(server_->port());
+  const auto answered = [](const std::string& all) { return all.ends_with("a page"); };
+  send(socket, request("GET", "/page", ""));
+  EXPECT_THAT(receive(socket, answered), EndsWith("a page"));
+  run_for(150ms);
+  send(socket, request("GET", "/page", ""));
+  EXPECT_THAT(receive(socket, answered), EndsWith("a page"));
+}
+
 /// Sends `bytes` every `period` until the server closes the connection; returns the time that this
 /// took.
 std::chrono::nanoseconds time_until_closed(boost::asio::io_context& io,

@@ -102,6 +102,17 @@ TEST_F(HttpServerTest, answers_several_requests_on_one_connection) {
   EXPECT_THAT(exchange(two), AllOf(HasSubstr("a pageHTTP/1.1 404 ")));
 }
 
+TEST_F(HttpServerTest, tells_for_how_long_a_connection_is_kept) {
+  listen();
+  auto socket = raw_connection(server_->port());
+  send(socket, request("GET", "/page", ""));
+  EXPECT_THAT(
+      receive(socket, [](const auto& all) { return all.ends_with("a page"); }),
+      AllOf(HasSubstr("Connection: keep-alive\r\n"), HasSubstr("Keep-Alive: timeout=5\r\n")));
+  EXPECT_THAT(exchange(request("GET", "/page")),
+              AllOf(HasSubstr("Connection: close\r\n"), Not(HasSubstr("Keep-Alive"))));
+}
+
 TEST_F(HttpServerTest, sends_a_large_body_whole) {
   listen();
   const std::string received = exchange(request("GET", "/large"));

@@ -103,6 +103,14 @@ std::uint64_t size_of(const HttpResponse& response) {
   return response.body == nullptr ? 0 : response.body->size();
 }
 
+/// Tells the client for how long its connection is kept, so that it sends nothing more after that.
+void promise_to_keep(EmptyResponse& message, std::chrono::milliseconds idle) {
+  const auto whole = std::chrono::floor<std::chrono::seconds>(idle).count();
+  if (whole == 0) return;
+  message.set(http::field::connection, "keep-alive");
+  message.set(http::field::keep_alive, "timeout=" + std::to_string(whole));
+}
+
 EmptyResponse header_of(const HttpResponse& response, bool keep_alive) {
   EmptyResponse message(static_cast<http::status>(response.status), 11);
   set_fields(message, response, keep_alive);
@@ -126,14 +134,14 @@ void HttpSession::start() {
   origins_.lease->end_with([weak = weak_from_this()] {
     if (const auto self = weak.lock()) self->abort();
   });
-  read_request();
+  read_request(options_->header_within);
 }
 
-void HttpSession::read_request() {
+void HttpSession::read_request(std::chrono::milliseconds within) {
   body_parser_.reset();
   parser_.emplace();
   parser_->header_limit(static_cast<std::uint32_t>(options_->max_header_bytes));
-  abort_after(options_->header_within);
+  abort_after(within);
   http::async_read_header(
       stream_, buffer_, *parser_,
       [self = shared_from_this()](ErrorCode error, std::size_t) { self->on_header(error); });
@@ -269,7 +277,8 @@ void HttpSession::send(HttpResponse response, bool keep_alive) {
   const auto& request = header();
   choose_encoding(request, response);
   if (response.status == 200 && has_it_already(request, response.etag)) response.status = 304;
-  const auto header = header_of(response, keep_alive);
+  auto header = header_of(response, keep_alive);
+  if (keep_alive) promise_to_keep(header, options_->header_within);
   if (response.status == 304 || response.status == 204 || request.method() == http::verb::head) {
     response.body = nullptr;
     response.long_body = nullptr;
@@ -323,7 +332,7 @@ void HttpSession::write_piece(std::shared_ptr<const LongBody> body, std::uint64_
 
 void HttpSession::on_written(ErrorCode error, bool keep_alive) {
   if (error || !stream_.is_open()) return abort();
-  if (keep_alive) return read_request();
+  if (keep_alive) return read_request(options_->header_within + options_->idle_grace);
   stream_.shutdown_send();
   abort_after(options_->linger_timeout);
   say_goodbye();

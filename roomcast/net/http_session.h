@@ -46,7 +46,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   using BodyParser = boost::beast::http::request_parser<boost::beast::http::string_body>;
   using ErrorCode = boost::beast::error_code;
 
-  void read_request();
+  void read_request(std::chrono::milliseconds within);
   void on_header(ErrorCode error);
   void answer_fault(ErrorCode error);
   void answer_malformed_later(ErrorCode error);

@@ -2,7 +2,7 @@
 // Keeps up with the hub's model of the room: asks for it, then for its changes. What it gets is decoded by a worker.
 import type { DecodedModel, FromModelWorker } from './model_worker';
 
-const pause_ms = 4_000; // the hub keeps connections that are silent for five seconds at most
+const pause_ms = 4_000; // the hub keeps a silent connection for five seconds
 
 export interface ModelEvents {
   /** The hub's answer to a request; undefined: nothing is newer. Rejects where the hub refuses or is away. */
