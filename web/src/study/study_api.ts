@@ -55,14 +55,15 @@ export class StudyApi {
     const path = `/participants/${encodeURIComponent(participant)}/picture`;
     const response = await this.fetch('POST', path, { key, comparison, pair, kind });
     if (!response.ok) throw await problemOf(response);
-    return response.blob();
+    return response.blob().catch(cutOff);
   }
 
   private async ask<Answer>(method: 'GET' | 'POST', path: string, body?: object, keepalive = false): Promise<Answer> {
     const response = await this.fetch(method, path, body, { keepalive, signal: AbortSignal.timeout(patience_ms) });
-    const said = response.ok ? ((await response.json().catch(() => undefined)) as Answer | undefined) : undefined;
+    if (!response.ok) throw await problemOf(response);
+    const said = (await response.json().catch(notJson)) as Answer | undefined;
     if (said) return said;
-    throw await problemOf(response);
+    throw new StudyProblem(texts.answered(response.status), true);
   }
 
   private async fetch(method: 'GET' | 'POST', path: string, body?: object, more: RequestInit = {}): Promise<Answered> {
@@ -74,6 +75,15 @@ export class StudyApi {
     if (!response) throw new StudyProblem(texts.noHub, false);
     return response;
   }
+}
+
+/** The head of the answer came and the rest did not: as if the hub had not answered. */
+function cutOff(): never {
+  throw new StudyProblem(texts.noHub, false);
+}
+
+function notJson(error: unknown): undefined {
+  if (!(error instanceof SyntaxError)) cutOff();
 }
 
 async function problemOf(response: Answered): Promise<StudyProblem> {
