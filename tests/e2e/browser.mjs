@@ -61,12 +61,23 @@ export async function startBrowser({
   return { context, end };
 }
 
+/**
+ * What a page logs while its hub is gone. A request that the hub's end cuts fails in one of several ways, by how far it
+ * had come: a connection that is reset before the browser has looked at it is "not connected", one of which all was read
+ * has an "empty response".
+ */
+export const withoutHub =
+  /WebSocket connection to .* failed|net::ERR_(CONNECTION_(REFUSED|RESET|CLOSED|ABORTED)|SOCKET_NOT_CONNECTED|EMPTY_RESPONSE)/;
+
+/** With the address that the text of a failed request leaves out. */
+const said = (message) => [message.text(), /^Failed to load/.test(message.text()) ? message.location().url : ''].join(' ').trim();
+
 /** Opens a page of the hub; its errors and warnings are collected in `page.complaints`. */
 export async function openPage(context, url) {
   const page = await context.newPage();
   page.complaints = [];
   page.on('pageerror', (error) => page.complaints.push(error.message));
-  page.on('console', (message) => message.type() === 'error' && page.complaints.push(message.text()));
+  page.on('console', (message) => message.type() === 'error' && page.complaints.push(said(message)));
   await page.goto(url);
   await page.waitForFunction(() => window.roomcast !== undefined);
   return page;
