@@ -24,24 +24,32 @@ export function writeChirp(path) {
   writeWav(path, samples, rate_hz);
 }
 
-const stride = 4;
+export const stride = 4; // every fourth sample is enough to know it
+const shape = everyFourth(chirp);
+const energyOfShape = shape.reduce((sum, value) => sum + value * value, 0);
+const silence = 1e-9; // energy
+
+export function everyFourth(samples) {
+  return Float32Array.from({ length: Math.ceil(samples.length / stride) }, (_, i) => samples[stride * i]);
+}
 
 /** Where the chirp begins in the samples, and how well it fits: 1 is perfectly. */
 export function findChirp(samples) {
+  const { at, likeness } = findChirpIn(everyFourth(samples));
+  return { at: stride * at, likeness };
+}
+
+/** The same in what everyFourth gives. */
+export function findChirpIn(samples) {
+  const energyUntil = new Float64Array(samples.length + 1);
+  samples.forEach((value, i) => (energyUntil[i + 1] = energyUntil[i] + value * value));
   let best = { at: 0, likeness: 0 };
-  const fine = (at, step) => {
+  for (let at = 0; at + shape.length <= samples.length; at++) {
+    const energy = energyUntil[at + shape.length] - energyUntil[at];
+    if (energy < silence) continue;
     let product = 0;
-    let energy = 1e-9;
-    let own = 0;
-    for (let i = 0; i < length; i += step) {
-      product += samples[at + i] * chirp[i];
-      energy += samples[at + i] ** 2;
-      own += chirp[i] ** 2;
-    }
-    return Math.abs(product) / Math.sqrt(energy * own);
-  };
-  for (let at = 0; at + length <= samples.length; at += stride) {
-    const likeness = fine(at, stride);
+    for (let i = 0; i < shape.length; i++) product += samples[at + i] * shape[i];
+    const likeness = Math.abs(product) / Math.sqrt(energy * energyOfShape);
     if (likeness > best.likeness) best = { at, likeness };
   }
   return best;

@@ -33,8 +33,8 @@ test('what is said is heard about when the frame set of the same instant is seen
     await until('Bob hears Ada', () => bob.evaluate(() => window.roomcast.voice()), (voice) => voice?.speakers[0]?.played > 0 && voice.context === 'running');
     const pictures_ms = [];
     const watch = setInterval(() => void stateOf(bob).then(({ latency_ms }) => latency_ms && pictures_ms.push(latency_ms), () => undefined), 500);
-    const whilePlayed = chirpTimes(() => bob.evaluate(() => window.ear?.()), chirps);
-    const said = await chirpTimes(() => ada.evaluate(() => window.mouth()), Infinity, whilePlayed);
+    const whilePlayed = chirpTimes(bob, 'ear', chirps);
+    const said = await chirpTimes(ada, 'mouth', Infinity, whilePlayed);
     const played = await whilePlayed;
     clearInterval(watch);
     const sounds_ms = played

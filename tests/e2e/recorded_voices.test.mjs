@@ -11,7 +11,7 @@ import { setTimeout as delay } from 'node:timers/promises';
 import { seriousFindings } from './accessibility.mjs';
 import { openPage } from './browser.mjs';
 import { findChirp, period_s, rate_hz, writeChirp } from './chirp.mjs';
-import { chirpTimes, clear, listenIn } from './listening.mjs';
+import { chirpTimes, clear, likenessIn, listenIn, loudnessOf } from './listening.mjs';
 import { oneSensorRoom } from './one_sensor_room.mjs';
 import { run } from './programs.mjs';
 import { slow, stateOf, until, untilAllShown } from './waiting.mjs';
@@ -32,8 +32,6 @@ const ask = (method, path, body) =>
 const recording = async () => (await ask('GET', '/recording')).json();
 const note = (page) => page.locator('#panel .sound p').innerText();
 const figures = (page) => page.evaluate(() => window.roomcast.playback());
-const ear = (page) => page.evaluate(() => window.ear?.() ?? null);
-const loudness = async (page) => Math.max(0, ...((await ear(page))?.samples.map(Math.abs) ?? []));
 const button = (page, text) => page.getByRole('button', { name: text, exact: true });
 
 /** Plays from the second that is given, with sound. */
@@ -77,7 +75,7 @@ describe('what is said in a room that is recorded', () => {
     await until('the microphone says so', () => note(ada), (text) => /is being recorded, with what is said/.test(text));
     await ada.locator('#panel .people li', { hasText: 'records, with voices' }).waitFor();
     assert.deepEqual(await seriousFindings(ada), []);
-    said = await chirpTimes(() => ada.evaluate(() => window.mouth()), 6);
+    said = await chirpTimes(ada, 'mouth', 6);
     await ask('DELETE', '/recording');
     await until('it has ended', recording, ({ state }) => state === 'off');
     await until('the microphone says that, too', () => note(ada), (text) => !/recorded/.test(text));
@@ -120,18 +118,18 @@ describe('what is said in a room that is recorded', () => {
   test('is heard when it is played, and not while it is paused', slow, async () => {
     const page = await play(0.5);
     await page.getByLabel('Voices').waitFor();
-    const played = await chirpTimes(() => ear(page), 2);
+    const played = await chirpTimes(page, 'ear', 2);
     assert.ok(played.length >= 2, 'chirps are heard');
     const { viewers } = await stateOf(page);
     const { id } = viewers.find((viewer) => viewer.name === 'Ada');
     assert.deepEqual((await page.evaluate(() => window.roomcast.voice())).speakers.map((speaker) => speaker.id), [id]);
     await button(page, 'Pause').click();
     await delay(1200); // the ear keeps the last 0.7 s
-    assert.equal(await loudness(page), 0, 'silent');
+    assert.equal(await loudnessOf(page), 0, 'silent');
     await button(page, 'Play').click();
     const { position_s, length_s } = await figures(page);
     if (position_s > length_s - 4) await page.getByRole('slider', { name: 'Position in the recording' }).press('Home');
-    assert.ok((await chirpTimes(() => ear(page), 1)).length > 0, 'and again');
+    assert.ok((await chirpTimes(page, 'ear', 1)).length > 0, 'and again');
     assert.deepEqual(page.complaints, []);
     await page.close();
   });
@@ -144,7 +142,7 @@ describe('what is said in a room that is recorded', () => {
     for (const key of ['Home', 'ArrowRight', 'Home']) {
       await line.press(key);
       await delay(1000); // the ear keeps the last 0.7 s, from before as well
-      const [chirp] = await chirpTimes(() => ear(page), 1);
+      const [chirp] = await chirpTimes(page, 'ear', 1);
       const { now_ms, position_s } = await page.evaluate(() => ({
         now_ms: performance.timeOrigin + performance.now(),
         position_s: window.roomcast.playback().position_s,
@@ -162,11 +160,11 @@ describe('what is said in a room that is recorded', () => {
     await page.getByLabel('Speed').selectOption('0.5');
     await page.getByText('Voices are heard at speed 1 ×.').waitFor();
     await delay(1200);
-    assert.equal(await loudness(page), 0);
+    assert.equal(await loudnessOf(page), 0);
     await page.getByLabel('Speed').selectOption('1');
     await page.getByLabel('Voices').uncheck();
     await delay(2500);
-    const loudest = Math.max(await loudness(page), findChirp((await ear(page)).samples).likeness > clear ? 1 : 0);
+    const loudest = Math.max(await loudnessOf(page), (await likenessIn(page)) > clear ? 1 : 0);
     assert.ok(loudest < 0.001, `${loudest}`);
     assert.deepEqual(await seriousFindings(page), []);
     await page.close();

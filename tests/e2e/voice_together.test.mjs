@@ -9,8 +9,8 @@ import { after, before, describe, test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
 import { seriousFindings } from './accessibility.mjs';
 import { openPage } from './browser.mjs';
-import { findChirp, writeChirp } from './chirp.mjs';
-import { chirpTimes, clear, listenIn } from './listening.mjs';
+import { writeChirp } from './chirp.mjs';
+import { chirpTimes, clear, likenessIn, listenIn } from './listening.mjs';
 import { repeatRecording } from './long_recording.mjs';
 import { oneSensorRoom } from './one_sensor_room.mjs';
 import { slow, stateOf, until, untilAllShown } from './waiting.mjs';
@@ -33,13 +33,8 @@ const file = (name) => join(room.data, 'recordings', `${name}.mcap`);
 const button = (page, text) => page.getByRole('button', { name: text, exact: true });
 const microphoneOf = (page) => page.locator('#panel').getByRole('button', { name: 'Microphone' });
 const voiceOf = (page) => page.evaluate(() => window.roomcast.voice());
-const ear = (page) => page.evaluate(() => window.ear?.() ?? null);
 const note = (page) => page.locator('#panel .sound p').innerText();
 const says = (page, pattern) => until(`the page says ${pattern}`, () => note(page), (text) => pattern.test(text));
-const likeness = async (page) => {
-  const heard = await ear(page);
-  return heard ? findChirp(heard.samples).likeness : 0;
-};
 const viewers = async () => (await (await ask('GET', '/viewers')).json()).viewers;
 
 async function play(name) {
@@ -82,7 +77,7 @@ describe('two people in one recording', () => {
     await microphoneOf(ada).click();
     await says(ada, /hear you/);
     await listen(bob);
-    const chirps = await chirpTimes(() => ear(bob), 3);
+    const chirps = await chirpTimes(bob, 'ear', 3);
     assert.ok(chirps.length >= 3, `${chirps.length} chirps`);
     const { viewers: seen } = await stateOf(bob);
     const { id } = seen.find(({ name }) => name === 'Ada (with you)');
@@ -99,7 +94,7 @@ describe('two people in one recording', () => {
     await button(bob, 'Play').click();
     await bob.getByRole('slider', { name: 'Position in the recording' }).press('PageUp');
     await delay(1000);
-    assert.ok((await chirpTimes(() => ear(bob), 2)).length >= 2);
+    assert.ok((await chirpTimes(bob, 'ear', 2)).length >= 2);
     await bob.getByLabel('Speed').selectOption('1');
   });
 
@@ -121,12 +116,12 @@ describe('two people in one recording', () => {
     assert.equal((await ask('PATCH', `/viewers/${id}`, { muted: true })).status, 200);
     await says(ada, /muted you/);
     await delay(1500);
-    assert.ok((await likeness(bob)) < clear, 'she is silent');
+    assert.ok((await likenessIn(bob)) < clear, 'she is silent');
     await bob.locator('#panel .people li', { hasText: 'muted' }).waitFor();
     await ask('PATCH', `/viewers/${id}`, { muted: false });
     await says(ada, /microphone is off/);
     await microphoneOf(ada).click();
-    assert.ok((await chirpTimes(() => ear(bob), 1)).length >= 1, 'she is heard again');
+    assert.ok((await chirpTimes(bob, 'ear', 1)).length >= 1, 'she is heard again');
   });
 
   test('who plays alone neither hears nor is heard, and the page says so', slow, async () => {
@@ -134,10 +129,10 @@ describe('two people in one recording', () => {
     await says(bob, /You play this recording alone/);
     await until('the hub knows', viewers, (people) => people.filter(({ plays }) => plays).length === 1);
     await delay(1500);
-    assert.ok((await likeness(bob)) < clear, 'silent');
+    assert.ok((await likenessIn(bob)) < clear, 'silent');
     await bob.getByLabel('Together with others').check();
     await says(bob, /microphone is off/);
-    assert.ok((await chirpTimes(() => ear(bob), 1)).length >= 1, 'she is heard again');
+    assert.ok((await chirpTimes(bob, 'ear', 1)).length >= 1, 'she is heard again');
     for (const page of [ada, bob, live]) assert.deepEqual(page.complaints, []);
   });
 });
