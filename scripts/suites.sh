@@ -107,7 +107,7 @@ timed_suite() {
 # count_timed_suite NAME COMMAND...: if tests of the suite that has just ended failed, COMMAND FILE... runs their files
 # once more. That run counts, and the summary names the tests that passed only then.
 count_timed_suite() {
-  local name=$1 first=() second=() files=() lines=()
+  local name=$1 first=() second=() files=() lines=() all_skipped=()
   shift
   if ((step_status != 0)); then mapfile -t files < <(files_of_failed_in_tap "$step_log"); fi
   if ((${#files[@]} == 0)); then
@@ -115,6 +115,8 @@ count_timed_suite() {
     return
   fi
   read -r -a first < <(read_tap "$step_log")
+  mapfile -t lines < <(skipped_in_tap "$step_log")
+  all_skipped=("${skipped_tests[@]}" "${lines[@]}")  # those of the files that run again are among them
   mapfile -t lines < <(names_of_failed_in_tap "$step_log")
   say "${first[1]} failed on a busy machine; their files are run again"
   step_count=$((step_count + 1))
@@ -125,6 +127,7 @@ count_timed_suite() {
   skipped=$((skipped + first[2] - second[2]))
   if ((step_status == 0)); then repeated_tests+=("${lines[@]}"); fi
   count_suite tap ""
+  skipped_tests=("${all_skipped[@]}")
 }
 
 # Adds up the report of the suite that has just ended.
