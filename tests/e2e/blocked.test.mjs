@@ -71,7 +71,7 @@ describe('a browser that', () => {
       () => stateOf(page),
       (state) => state.phase === 'joined',
     );
-    assert.doesNotMatch(await panelText(page), /graphics card/);
+    await until('the panel no longer reports it', () => panelText(page), (text) => !/graphics card/.test(text));
     await until(
       'three more sets',
       () => stateOf(page),

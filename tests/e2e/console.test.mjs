@@ -121,7 +121,7 @@ describe('the console', () => {
       await page.getByRole('tab', { name: 'Alignment' }).focus();
       await page.keyboard.press('ArrowRight');
       assert.equal(await page.evaluate(() => document.activeElement.textContent), 'People');
-      assert.ok(await page.getByRole('cell', { name: /fps/ }).count());
+      await page.getByRole('cell', { name: /fps/ }).first().waitFor();
       await page.keyboard.press('Escape');
       assert.ok(await page.locator('#console').isHidden());
       assert.equal(

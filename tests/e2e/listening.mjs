@@ -4,7 +4,7 @@
 import { setTimeout as delay } from 'node:timers/promises';
 import { findChirpIn, period_s, rate_hz, stride } from './chirp.mjs';
 
-export const clear = 0.5; // likeness of a chirp that was heard
+const clear = 0.5; // likeness of a chirp that was heard
 const pause_ms = 150;
 const patience_ms = 60_000;
 
@@ -63,21 +63,16 @@ function samplesOf(base64) {
   return Float32Array.from({ length: bytes.length / 4 }, (_, i) => bytes.readFloatLE(4 * i));
 }
 
-/** The last 0.7 s of what a page's `organ` ("mouth" or "ear") gives, every fourth sample; undefined: nothing was ever played. */
-async function lastSamples(page, organ) {
-  const last = await page.evaluate((name) => window[name]?.().heard[0].samples, organ);
-  return last === undefined ? undefined : samplesOf(last);
-}
-
-/** How loud the loudest sample is that the page has just played. */
+/** How loud the loudest sample is that the page has played in the last 0.7 s. */
 export async function loudnessOf(page) {
-  return ((await lastSamples(page, 'ear')) ?? []).reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+  const last = await page.evaluate(() => window.ear?.().heard[0].samples);
+  return last === undefined ? 0 : samplesOf(last).reduce((most, value) => Math.max(most, Math.abs(value)), 0);
 }
 
-/** How well the chirp is heard that the page has just played. */
-export async function likenessIn(page) {
-  const samples = await lastSamples(page, 'ear');
-  return samples ? findChirpIn(samples).likeness : 0;
+/** Whether no chirp is played for longer than it takes from one to the next. Begins with the last 0.7 s. */
+export async function isSilent(page) {
+  const times = await chirpTimes(page, 'ear', 1, delay(1250 * period_s));
+  return times.length === 0;
 }
 
 /**

@@ -231,6 +231,7 @@ describe('marks', () => {
     await count(bob, 'note', 1);
     await room.sensor.end();
     await room.hub.end();
+    for (const page of [ada, bob]) await until('it is noticed', () => stateOf(page), ({ phase }) => phase !== 'joined');
     room.hub = await startHub(room.hub.port, { data: room.data });
     room.sensor = startSensor(room.hub, 0, { fps: 3 });
     for (const page of [ada, bob]) await until('it is back', () => stateOf(page), ({ phase }) => phase === 'joined');
@@ -285,12 +286,14 @@ describe('text of twice the usual size', () => {
       await untilAllShown(page, 1);
       const press = (button) => (phone ? button.tap() : button.click());
       await press(page.getByRole('button', { name: 'Open the panel' }));
-      const sizes = await page.evaluate(() =>
-        [...document.querySelectorAll('#panel *, #tools *, #hint *')]
-          .filter((part) => part.checkVisibility() && [...part.childNodes].some(({ nodeType, data }) => nodeType === 3 && data.trim()))
-          .map((part) => [parseFloat(getComputedStyle(part).fontSize), part.textContent]),
-      );
-      assert.ok(sizes.length > 15 && sizes.every(([size]) => size >= 22), JSON.stringify(sizes.filter(([size]) => size < 22)));
+      const sizesNow = () =>
+        page.evaluate(() =>
+          [...document.querySelectorAll('#panel *, #tools *, #hint *')]
+            .filter((part) => part.checkVisibility() && [...part.childNodes].some(({ nodeType, data }) => nodeType === 3 && data.trim()))
+            .map((part) => [parseFloat(getComputedStyle(part).fontSize), part.textContent]),
+        );
+      const sizes = await until('the panel is open', sizesNow, ({ length }) => length > 15);
+      assert.ok(sizes.every(([size]) => size >= 22), JSON.stringify(sizes.filter(([size]) => size < 22)));
       const outside = () =>
         page.evaluate(() =>
           [...document.querySelectorAll('#panel, #tools .bar, #tools .said, #tools button, #hint')]

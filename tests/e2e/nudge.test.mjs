@@ -30,7 +30,7 @@ describe('an unplaced sensor', () => {
     page = await openPage(browser.context, `${hub.page}?panel=0&mode=points&${standingAtTruth()}#token=${token}`);
     sensors = [startSensor(hub, 1, { fps: 2, rig })];
     // A lone sensor defines a world frame of its own, which is dropped when a sensor with a given pose joins.
-    await until('placed alone', lone, (sensor) => sensor?.source === 'estimated');
+    await until('placed alone', lone, (sensor) => sensor?.source === 'estimated', solved_ms);
     sensors.push(startSensor(hub, 0, { fps: 2, rig }));
     await untilAllShown(page, 2);
   }, slow);
@@ -64,7 +64,7 @@ describe('an unplaced sensor', () => {
     await page.locator('.places li', { hasText: 's1' }).getByRole('button', { name: 'Move by hand' }).click();
     await button('Tilt up (Y)').click();
     await button('Try (Enter)').click();
-    await until('the refusal', places, (said) => /The proposed pose was refused/.test(said));
+    await until('the refusal', places, (said) => /The proposed pose was refused/.test(said), solved_ms);
   });
 
   test('keys move it while its buttons are on the screen, and Escape puts it back', slow, async () => {

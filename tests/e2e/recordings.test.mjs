@@ -131,7 +131,7 @@ describe('the recordings in the console', () => {
     assert.deepEqual(await seriousFindings(page), []);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'nothing sticks out');
     await page.getByRole('button', { name: 'Rename: roomcast-room-0001' }).tap();
-    assert.ok(await page.getByLabel('New name: roomcast-room-0001').isVisible());
+    await page.getByLabel('New name: roomcast-room-0001').waitFor();
     await phone.end();
   });
 });

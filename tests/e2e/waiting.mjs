@@ -31,6 +31,16 @@ export const sensorsOf = (page) => page.evaluate(() => window.roomcast.sensors()
 export const coverageOf = (page) => page.evaluate(() => window.roomcast.coverage());
 export const panelText = (page) => page.locator('#panel').innerText();
 
+/** Waits until the view stays the same from one picture to the one after the next: it may be on its way to somewhere. */
+export function untilStill(page) {
+  const moves = async () => {
+    const [{ pictures }, before] = [await stateOf(page), await viewOf(page)];
+    await until('two pictures', () => stateOf(page), (now) => now.pictures >= pictures + 2);
+    return JSON.stringify(await viewOf(page)) !== JSON.stringify(before);
+  };
+  return until('the view stands still', moves, (does) => !does);
+}
+
 /** Waits until `count` sensors are online and a frame of each has been drawn. */
 export function untilAllShown(page, count) {
   const shown = (sensors) => sensors.filter((sensor) => sensor.online && sensor.shownSeq !== null).length === count;
