@@ -356,8 +356,7 @@ Result<RenderReport> run_render_bench(const RenderBenchOptions& options,
   if (views->entries.empty()) {
     return Error{ErrorCode::kInvalidArgument, options.rig.string() + " has no true views"};
   }
-  auto frames =
-      RigFrames::open(options.rig, views->rig, options.color_scale, options.complete_planes);
+  auto frames = RigFrames::open(options.rig, views->rig, options.color_scale, options.fill_holes);
   if (!frames) return frames.error();
   auto poses = poses_to_draw_with(options, views->rig, *frames);
   if (!poses) return poses.error();

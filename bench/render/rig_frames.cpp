@@ -11,7 +11,7 @@ namespace roomcast::bench {
 
 Result<RigFrames> RigFrames::open(const std::filesystem::path& folder,
                                   const recording::RigDescription& rig, int color_scale,
-                                  bool complete_planes) {
+                                  bool fill_holes) {
   RigFrames frames;
   for (const recording::RigSensorEntry& entry : rig.sensors) {
     if (!entry.world_from_depth) {
@@ -25,9 +25,12 @@ Result<RigFrames> RigFrames::open(const std::filesystem::path& folder,
     const SensorCalibration cameras = recording->camera.calibration;
     const io::DepthValues depth_values(recording->camera);
     frames.sensors_.push_back({*std::move(recording), *entry.world_from_depth, depth_values,
-                               *std::move(registration), std::nullopt,
+                               *std::move(registration), std::nullopt, std::nullopt,
                                folder / "truth" / entry.id});
-    if (complete_planes) frames.sensors_.back().completion.emplace(cameras);
+    if (fill_holes) {
+      frames.sensors_.back().sparse_completion.emplace(cameras.depth.width, cameras.depth.height);
+      frames.sensors_.back().plane_completion.emplace(cameras);
+    }
   }
   return frames;
 }
@@ -51,7 +54,8 @@ Status RigFrames::read(Sensor& sensor, std::uint64_t number, RegisteredFrame& ou
   sensor.depth_values.to_mm(out.depth_mm);
   const io::ImageSize color{cameras.color.width, cameras.color.height};
   if (auto status = reader_.read_color(file->color, color, color_); !status) return status;
-  if (sensor.completion) sensor.completion->complete(out.depth_mm, color_);
+  if (sensor.plane_completion) sensor.plane_completion->complete(out.depth_mm, color_);
+  if (sensor.sparse_completion) sensor.sparse_completion->complete(out.depth_mm);
   return sensor.registration.run(out.depth_mm, color_, out.color);
 }
 

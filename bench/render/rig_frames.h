@@ -19,6 +19,7 @@
 #include "roomcast/io/image_file.h"
 #include "roomcast/recording/dataset/recording.h"
 #include "roomcast/sensor/plane_completion.h"
+#include "roomcast/sensor/sparse_completion.h"
 
 namespace roomcast::bench {
 
@@ -30,17 +31,18 @@ struct RegisteredFrame {
 class RigFrames {
  public:
   /// kNotFound, kMalformed as read_rig_recording; kInvalidArgument: a sensor has no pose.
-  /// `color_scale` as in RegistrationOptions. Without `complete_planes` depth is as recorded.
+  /// `color_scale` as in RegistrationOptions. Without `fill_holes` depth is as recorded.
   static Result<RigFrames> open(const std::filesystem::path& folder,
                                 const recording::RigDescription& rig, int color_scale,
-                                bool complete_planes = true);
+                                bool fill_holes = true);
 
   struct Sensor {
     recording::Recording recording;
     RigidTransform world_from_depth;
     io::DepthValues depth_values;  // with factors on readings, of the rig and of alignment
     HoleRegistration registration;
-    std::optional<sensor::PlaneCompletion> completion;
+    std::optional<sensor::SparseCompletion> sparse_completion;
+    std::optional<sensor::PlaneCompletion> plane_completion;
     std::filesystem::path truth;  // folder with its noise-free depth
   };
   [[nodiscard]] std::vector<Sensor>& sensors() { return sensors_; }

@@ -52,8 +52,8 @@ void add_render_bench(CLI::App& bench, Command& chosen) {
       ->check(within(0.0, 10'000.0));
   command->add_flag("--keep-late", options->keep_late,
                     "Draw these old pictures whole, also where others see through them");
-  command->add_flag("--keep-holes{false}", options->complete_planes,
-                    "Do not fill the holes of large planes, as roomcast sensor --keep-holes");
+  command->add_flag("--keep-holes{false}", options->fill_holes,
+                    "Leave depth as recorded, as roomcast sensor --keep-holes");
   command->add_flag("--model", options->model,
                     "Show the model of what stands still where no sensor shows anything");
   command->add_option("--pictures", options->pictures, "Write the pictures into this folder");

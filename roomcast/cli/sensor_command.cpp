@@ -225,7 +225,7 @@ Status run_sensor(SensorCommandOptions options) {
   options.feed.credential = *std::move(credential);
   options.feed.log = stderr_log("sensor", options.verbose);
   options.feed.filter_interference = !options.keep_interference;
-  options.feed.complete_planes = !options.keep_holes;
+  options.feed.fill_holes = !options.keep_holes;
   if (!options.audio.empty())
     options.feed.microphone = [audio = options.audio, loops = !options.once] {
       return sound::open_microphone(audio, loops);
@@ -281,7 +281,7 @@ void add_sensor_command(CLI::App& app, Command& chosen) {
                     "does to depth");
   command->add_flag("--keep-holes", options->keep_holes,
                     "With --codec live: do not fill the holes of large planes, such as glossy "
-                    "floors");
+                    "floors, nor those between scattered readings, as of dark screens");
   command->add_flag(
       "--no-remote-settings", options->no_remote_settings,
       "Let no admin of the room change codec and rate, or restart this sensor, and do "

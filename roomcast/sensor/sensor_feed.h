@@ -37,8 +37,8 @@ struct SensorFeedOptions {
   bool follows_rate = true;     // in live mode: keep to the share of the room's uplink
   bool wait_for_hub = false;
   bool filter_interference = true;  // live mode only; other modes send depth as it comes
-  bool complete_planes = true;      // likewise: depth where a large plane returns none
-  bool send_pose = true;            // send the source's pose; else the hub's aligner estimates it
+  bool fill_holes = true;  // likewise: depth of large planes and between scattered readings
+  bool send_pose = true;   // send the source's pose; else the hub's aligner estimates it
   std::optional<std::filesystem::path> frame_log;  // one JSON line per frame sent
   bool append_to_frame_log = false;
   sound::OpenMicrophone microphone = {};  // whose sound is sent with the frames; none: no sound

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// SparseCompletion: depth between the scattered readings of a surface. Of dark, polished or hairy
+// things only some pixels give a reading, others in every frame: a screen that somebody carries
+// comes as specks. A pixel without a reading gets the depth of a plane through the readings around
+// it, if the nearest ones in at least three of the four quadrants around it, up to 4 pixels away,
+// lie on that plane. So gaps through which something else is read stay open, and gaps of more than
+// 7 pixels. It looks at single frames, so that it also fills what moves. Single-threaded; allocates
+// only when it is made.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "roomcast/core/image.h"
+
+namespace roomcast::sensor {
+
+class SparseCompletion {
+ public:
+  /// For pictures of this size, at most 32767 pixels along each side.
+  SparseCompletion(int width, int height);
+
+  /// Fills holes of `depth_mm`; leaves pictures of another size as they are.
+  void complete(DepthImage& depth_mm);
+
+  /// Pixels that were filled in the newest picture.
+  [[nodiscard]] int filled() const { return static_cast<int>(fills_.size()); }
+
+ private:
+  struct Reading {
+    std::uint16_t depth_mm = 0;
+    std::int16_t x = 0, y = 0;  // small, because many are sorted
+  };
+  /// A pixel without a reading, and the nearest reading in each quadrant around it.
+  struct Hole {
+    int x = 0, y = 0;
+    std::array<Reading, 4> around;
+    std::size_t quadrants = 0;  // with a reading
+  };
+  struct Fill {
+    int x = 0, y = 0;
+    std::uint16_t depth_mm = 0;
+  };
+  class Surface;
+
+  [[nodiscard]] static Reading reading_at(DepthView depth_mm, int x, int y);
+  void count_readings(DepthView depth_mm);
+  [[nodiscard]] bool may_have_holes(int left, int top) const;
+  void find_holes(DepthView depth_mm, int left, int top);
+  void find_readings(DepthView depth_mm, int left, int top);
+  void fill_between_readings();
+  void fill_holes(const Surface& surface);
+
+  int width_, height_;
+  Image<std::uint8_t> readings_in_cell_;
+  std::vector<Hole> holes_;        // of one cell
+  std::vector<Reading> readings_;  // around the cell
+  std::vector<Fill> fills_;
+};
+
+}  // namespace roomcast::sensor
