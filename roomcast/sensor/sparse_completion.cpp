@@ -16,6 +16,10 @@ namespace {
 
 constexpr int kCell_px = 4;         // a plane is fitted to the readings in 3 x 3 cells
 constexpr int kSurrounding_px = 4;  // from a hole to the readings that surround it
+// Of the 288 pairs of neighbours in 3 x 3 cells, those of which one alone has a reading. Where a
+// quarter of the pixels has one by chance there are 108; at the ragged borders of what structured
+// light does not see, fewer than 50.
+constexpr std::size_t kMinBreaks = 50;
 constexpr std::size_t kMinQuadrants = 3;
 constexpr std::size_t kMinOfSurface = 6;  // readings
 constexpr std::size_t kEnoughOfSurface = 24;
@@ -120,9 +124,7 @@ class SparseCompletion::Surface {
 };
 
 SparseCompletion::SparseCompletion(int width, int height)
-    : width_(width),
-      height_(height),
-      readings_in_cell_(width / kCell_px + 3, height / kCell_px + 3) {
+    : width_(width), height_(height), cells_(width / kCell_px + 3, height / kCell_px + 3) {
   holes_.reserve(static_cast<std::size_t>(kCell_px * kCell_px));
   readings_.reserve(static_cast<std::size_t>(9 * kCell_px * kCell_px));
   fills_.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
@@ -134,7 +136,7 @@ void SparseCompletion::complete(DepthImage& depth_mm) {
   count_readings(depth_mm);
   for (int top = 0; top < height_; top += kCell_px) {
     for (int left = 0; left < width_; left += kCell_px) {
-      if (!may_have_holes(left, top)) continue;
+      if (!is_sparse(left, top)) continue;
       find_holes(depth_mm, left, top);
       if (holes_.empty()) continue;
       find_readings(depth_mm, left, top);
@@ -150,23 +152,32 @@ SparseCompletion::Reading SparseCompletion::reading_at(DepthView depth_mm, int x
 
 /// In cells with a border of empty ones around the picture.
 void SparseCompletion::count_readings(DepthView depth_mm) {
-  std::fill_n(readings_in_cell_.data(), readings_in_cell_.view().pixel_count(), std::uint8_t{0});
+  std::fill_n(cells_.data(), cells_.view().pixel_count(), Cell{});
   for (int y = 0; y < depth_mm.height; ++y) {
-    const std::uint16_t* row = depth_mm.row(y);
-    std::uint8_t* cells = readings_in_cell_.view().row(y / kCell_px + 1) + 1;
-    for (int x = 0; x < depth_mm.width; ++x) cells[x / kCell_px] += row[x] != 0;
+    const std::uint16_t *row = depth_mm.row(y), *above = depth_mm.row(std::max(y - 1, 0));
+    Cell* const cells = cells_.view().row(y / kCell_px + 1) + 1;
+    for (int x = 0; x < depth_mm.width; ++x) {
+      Cell& cell = cells[x / kCell_px];
+      const bool is_read = row[x] != 0;
+      cell.readings += is_read ? 1 : 0;
+      cell.breaks += is_read != (above[x] != 0) ? 1 : 0;
+      cell.breaks += is_read != (row[std::max(x - 1, 0)] != 0) ? 1 : 0;
+    }
   }
 }
 
-/// Whether the cell lacks readings, and has enough around it.
-bool SparseCompletion::may_have_holes(int left, int top) const {
+/// Whether the cell lacks readings, and those around it are many enough and scattered.
+bool SparseCompletion::is_sparse(int left, int top) const {
   const int x = left / kCell_px + 1, y = top / kCell_px + 1;
-  if (readings_in_cell_.at(x, y) == kCell_px * kCell_px) return false;
-  std::size_t around = 0;
+  if (cells_.at(x, y).readings == kCell_px * kCell_px) return false;
+  std::size_t readings = 0, breaks = 0;
   for (int j = y - 1; j <= y + 1; ++j) {
-    for (int i = x - 1; i <= x + 1; ++i) around += readings_in_cell_.at(i, j);
+    for (int i = x - 1; i <= x + 1; ++i) {
+      readings += cells_.at(i, j).readings;
+      breaks += cells_.at(i, j).breaks;
+    }
   }
-  return around >= kMinOfSurface;
+  return readings >= kMinOfSurface && breaks >= kMinBreaks;
 }
 
 void SparseCompletion::find_holes(DepthView depth_mm, int left, int top) {
@@ -236,7 +247,9 @@ void SparseCompletion::fill_holes(const Surface& surface) {
     if (depth_mm < static_cast<float>(nearest_mm) - noise_mm(depth_mm) ||
         depth_mm > static_cast<float>(farthest_mm) + noise_mm(depth_mm))
       return false;
-    fills_.push_back({hole.x, hole.y, static_cast<std::uint16_t>(std::lround(depth_mm))});
+    fills_.push_back(
+        {hole.x, hole.y,
+         static_cast<std::uint16_t>(std::clamp(std::lround(depth_mm), 1L, long{kMaxDepth_mm}))});
     return true;
   });
 }

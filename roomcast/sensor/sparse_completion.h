@@ -4,8 +4,9 @@
 // comes as specks. A pixel without a reading gets the depth of a plane through the readings around
 // it, if the nearest ones in at least three of the four quadrants around it, up to 4 pixels away,
 // lie on that plane. So gaps through which something else is read stay open, and gaps of more than
-// 7 pixels. It looks at single frames, so that it also fills what moves. Single-threaded; allocates
-// only when it is made.
+// 7 pixels; holes in one piece stay open too, such as those beside the things that structured light
+// sees, which come and go at their borders. It looks at single frames, so that it also fills what
+// moves. Single-threaded; allocates only when it is made.
 #pragma once
 
 #include <array>
@@ -39,6 +40,10 @@ class SparseCompletion {
     std::array<Reading, 4> around;
     std::size_t quadrants = 0;  // with a reading
   };
+  struct Cell {
+    std::uint8_t readings = 0;
+    std::uint8_t breaks = 0;  // pairs of neighbours, right or below in it, one without a reading
+  };
   struct Fill {
     int x = 0, y = 0;
     std::uint16_t depth_mm = 0;
@@ -47,14 +52,14 @@ class SparseCompletion {
 
   [[nodiscard]] static Reading reading_at(DepthView depth_mm, int x, int y);
   void count_readings(DepthView depth_mm);
-  [[nodiscard]] bool may_have_holes(int left, int top) const;
+  [[nodiscard]] bool is_sparse(int left, int top) const;
   void find_holes(DepthView depth_mm, int left, int top);
   void find_readings(DepthView depth_mm, int left, int top);
   void fill_between_readings();
   void fill_holes(const Surface& surface);
 
   int width_, height_;
-  Image<std::uint8_t> readings_in_cell_;
+  Image<Cell> cells_;
   std::vector<Hole> holes_;        // of one cell
   std::vector<Reading> readings_;  // around the cell
   std::vector<Fill> fills_;
