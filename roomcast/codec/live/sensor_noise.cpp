@@ -12,6 +12,8 @@ constexpr std::uint32_t kMinSamples = 100;  // at a distance; with fewer it coun
 constexpr int kHalfLife_frames = 45;        // short, because a sensor warms up or is reconfigured
 constexpr double kTrim = 3.5;               // standard deviations
 constexpr double kMinSigma_mm = 0.25;
+constexpr int kPartsOfKnot = 4;      // in each, distances are compared with the most frequent one
+constexpr std::uint32_t kRare = 8;   // times less frequent than that
 constexpr double kStepWeight = 0.5;  // of a quantisation step, as noise: a plane is read as stairs
 
 /// Standard deviation of the differences in a histogram of their sizes, without outliers.
@@ -65,7 +67,7 @@ void SensorNoise::observe(DepthView depth_mm) {
     *this = {};
     width_ = depth_mm.width;
     height_ = depth_mm.height;
-    seen_mm_.assign(65536, 0);
+    readings_at_mm_.assign(65536, 0);
     before_.assign(width * static_cast<std::size_t>(height_), 0);
   }
   const int apart = first ? 1 : kRowsApart;  // the first table needs all rows of the first frame
@@ -85,7 +87,7 @@ void SensorNoise::observe_row(const std::uint16_t* row, const std::uint16_t* bef
     const int z = row[x];
     if (z == 0) continue;
     const auto knot = static_cast<std::size_t>(sigma_knot_of(z));
-    seen_mm_[static_cast<std::size_t>(z)] = 1;
+    ++readings_at_mm_[static_cast<std::size_t>(z)];
     if (before[x] != 0) {
       const auto change = static_cast<std::size_t>(std::abs(z - before[x]));
       if (change < kMaxChange_mm) {
@@ -112,17 +114,26 @@ void SensorNoise::forget_half() {
   for (auto* samples : {&time_samples_, &space_samples_}) {
     for (std::uint32_t& count : *samples) count /= 2;
   }
+  for (std::uint32_t& count : readings_at_mm_) count /= 2;
 }
 
-// The lower quartile of the gaps between the distances that occur, mm: larger gaps are the scene's.
+/// The lower quartile of the gaps between the distances that occur, mm: larger gaps are the
+/// scene's. A distance that is rare beside another near it does not count: a few readings between
+/// the sensor's own distances, as of interpolation or of an earlier depth scale, hide no steps.
 double SensorNoise::step_at(int knot) const {
   const int begin = knot == 0 ? 1 : sigma_knot_mm(knot);
   const int end = std::min(65536, sigma_knot_mm(knot + 1));
   std::vector<int> gaps;
-  for (int z = begin, last = 0; z < end; ++z) {
-    if (!seen_mm_[static_cast<std::size_t>(z)]) continue;
-    if (last > 0) gaps.push_back(z - last);
-    last = z;
+  const int part_mm = std::max((end - begin) / kPartsOfKnot, 1);
+  for (int from = begin, last = 0; from < end; from += part_mm) {
+    const int to = std::min(from + part_mm, end);
+    const std::uint32_t most = *std::max_element(&readings_at_mm_[static_cast<std::size_t>(from)],
+                                                 readings_at_mm_.data() + to);
+    for (int z = from; z < to; ++z) {
+      if (kRare * readings_at_mm_[static_cast<std::size_t>(z)] <= most) continue;
+      if (last > 0) gaps.push_back(z - last);
+      last = z;
+    }
   }
   if (gaps.size() < 2) return 1;
   const auto quartile = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 4);

@@ -35,8 +35,8 @@ class SensorNoise {
 
   std::array<Histogram, kSigmaKnotCount> in_time_{}, in_space_{};
   std::array<std::uint32_t, kSigmaKnotCount> time_samples_{}, space_samples_{};
-  std::vector<std::uint8_t> seen_mm_;  // 1 for each distance that occurred
-  std::vector<std::uint16_t> before_;  // the previous frame, only the rows that are read
+  std::vector<std::uint32_t> readings_at_mm_;  // of each distance
+  std::vector<std::uint16_t> before_;          // the previous frame, only the rows that are read
   int width_ = 0, height_ = 0, phase_ = 0, frames_ = 0;
 };
 

@@ -79,22 +79,53 @@ TEST(SensorNoise, things_that_move_do_not_count) {
   EXPECT_NEAR(sigma_in(noise.table(), 3000), 3, 1);
 }
 
-TEST(SensorNoise, steps_of_structured_light_count_as_noise) {
+/// A floor as structured light reads it: quantised in 1/z, no other noise.
+DepthImage stairs_mm(double factor = 1) {
   DepthImage depth(kNoiseWidth, kNoiseHeight);
   for (int y = 0; y < kNoiseHeight; ++y) {
     for (int x = 0; x < kNoiseWidth; ++x) {
       const double z = 1000 + 4000.0 * (y + x / double{kNoiseWidth}) / kNoiseHeight;
-      const double disparity = std::floor(350000 / z);  // quantised in 1/z, no other noise
-      depth.at(x, y) = static_cast<std::uint16_t>(350000 / disparity);
+      const double disparity = std::floor(350000 / z);
+      depth.at(x, y) = static_cast<std::uint16_t>(factor * 350000 / disparity);
     }
   }
-  SensorNoise noise;
-  for (int frame = 0; frame < 4; ++frame) noise.observe(depth);
+  return depth;
+}
+
+void expect_steps(const SensorNoise& noise) {
   for (const int z : {2500, 4000}) {
     const double step = static_cast<double>(z) * z / 350000;
     EXPECT_GT(sigma_in(noise.table(), z), 0.25 * step) << z;
     EXPECT_LT(sigma_in(noise.table(), z), 1.2 * step) << z;
   }
+}
+
+TEST(SensorNoise, steps_of_structured_light_count_as_noise) {
+  SensorNoise noise;
+  for (int frame = 0; frame < 4; ++frame) noise.observe(stairs_mm());
+  expect_steps(noise);
+}
+
+TEST(SensorNoise, a_few_readings_between_the_steps_do_not_hide_them) {
+  std::mt19937 random(8);
+  SensorNoise noise;
+  for (int frame = 0; frame < 90; ++frame) {
+    DepthImage depth = stairs_mm();
+    for (int i = 0; i < kNoiseWidth * kNoiseHeight / 200; ++i) {
+      auto& read = depth.at(static_cast<int>(random() % kNoiseWidth),
+                            static_cast<int>(random() % kNoiseHeight));
+      read = static_cast<std::uint16_t>(read + random() % 40);
+    }
+    noise.observe(depth);
+  }
+  expect_steps(noise);
+}
+
+TEST(SensorNoise, the_steps_of_an_earlier_depth_scale_are_forgotten) {
+  SensorNoise noise;
+  for (int frame = 0; frame < 90; ++frame) noise.observe(stairs_mm(1.03));
+  for (int frame = 0; frame < 270; ++frame) noise.observe(stairs_mm());
+  expect_steps(noise);
 }
 
 TEST(SensorNoise, without_noise_there_are_still_levels_for_every_distance) {
