@@ -4,7 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "roomcast/render/gl/gl_context.h"
 #include "roomcast/render/gl/gl_state.h"
 
 namespace roomcast::render {
@@ -30,9 +29,7 @@ Result<BlendRenderer> BlendRenderer::create() {
 }
 
 BlendRenderer::BlendRenderer(Programs programs)
-    : programs_(std::move(programs)),
-      no_vertices_(GlVertexArray::create()),
-      in_software_(is_in_software(reinterpret_cast<const char*>(glGetString(GL_RENDERER)))) {}
+    : programs_(std::move(programs)), no_vertices_(GlVertexArray::create()) {}
 
 void BlendRenderer::make_room(const Eyes& eyes) {
   int width = eyes.width(), height = eyes.height();
@@ -99,17 +96,17 @@ void BlendRenderer::fill(std::span<const SurfaceLayer> layers, StillModel& model
   glCopyImageSubData(nearest_depth.name(), GL_TEXTURE_2D, 0, 0, 0, 0, shown_depth_.name(),
                      GL_TEXTURE_2D, 0, 0, 0, 0, eyes_ * width_, height_, 1);
   glDepthFunc(GL_LESS);
-  const bool may_pick = in_software_ && !layers.empty();  // without layers all is one hole
+  const bool may_pick = model.wants_holes() && !layers.empty();  // without layers all is one hole
   if (may_pick) find_holes(nearest_depth);
   model.draw(eyes, shown_depth_, may_pick ? &holes_ : nullptr);
 }
 
 void BlendRenderer::find_holes(const GlTexture& nearest_depth) {
   const int width = eyes_ * width_;
-  std::vector<float> depth(static_cast<std::size_t>(width) * static_cast<std::size_t>(height_));
+  read_depth_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height_));
   glGetTextureImage(nearest_depth.name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                    static_cast<GLsizei>(depth.size() * sizeof(float)), depth.data());
-  holes_.find(depth, width);
+                    static_cast<GLsizei>(read_depth_.size() * sizeof(float)), read_depth_.data());
+  holes_.find(read_depth_, width);
 }
 
 void BlendRenderer::find_surroundings(const Eyes& eyes, Unseen unseen,

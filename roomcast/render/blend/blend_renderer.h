@@ -64,9 +64,9 @@ class BlendRenderer {
   GlVertexArray no_vertices_;              // for full-screen passes
   int width_ = 0, height_ = 0, eyes_ = 0;  // size and count for the textures below
   GlTexture color_sum_;
-  GlTexture shown_depth_;  // what sensors show, while the model is drawn
-  bool in_software_;
-  HoleMap holes_;  // of shown_depth_; in software only
+  GlTexture shown_depth_;          // what sensors show, while the model is drawn
+  std::vector<float> read_depth_;  // shown_depth_ on the CPU, and its holes; in software only
+  HoleMap holes_;
   GlFramebuffer sum_target_, picture_target_;
   struct Level {  // one layer for each eye, so that eyes share no colours
     GlLayers color, coverage;

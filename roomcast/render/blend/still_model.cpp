@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "roomcast/render/gl/gl_context.h"
 #include "roomcast/render/gl/gl_state.h"
 
 namespace roomcast::render {
@@ -49,7 +50,9 @@ Result<StillModel> StillModel::create() {
 }
 
 StillModel::StillModel(Program program)
-    : program_(std::move(program)), vertices_(GlVertexArray::create()) {
+    : program_(std::move(program)),
+      vertices_(GlVertexArray::create()),
+      in_software_(is_in_software(reinterpret_cast<const char*>(glGetString(GL_RENDERER)))) {
   const auto declare = [&](GLuint input, GLint size, GLenum type, GLboolean normalized,
                            std::size_t offset) {
     glEnableVertexArrayAttrib(vertices_.name(), input);
@@ -86,24 +89,23 @@ Status StillModel::set_piece(const ModelPlace& place, const ModelSurface& surfac
   piece.points = filled_buffer(std::span<const ModelPoint>(points));
   piece.indices = filled_buffer(surface.triangles);
   piece.index_count = static_cast<GLsizei>(3 * surface.triangles.size());
-  piece.cells = ModelCells(surface.points_m, surface.triangles);
+  if (in_software_) piece.cells = ModelCells(surface.points_m, surface.triangles);
   pieces_.insert_or_assign(place, std::move(piece));
   return {};
 }
 
-std::vector<const StillModel::Piece*> StillModel::seen_pieces(const Eyes& eyes) const {
+void StillModel::find_seen_pieces(const Eyes& eyes) {
   const EyeMatrices clip = clip_from_world(eyes);
-  std::vector<const Piece*> seen;
+  seen_.clear();
   for (const auto& [place, piece] : pieces_) {
     if (is_outside(piece.box_m, clip[0]) && (eyes.count() == 1 || is_outside(piece.box_m, clip[1])))
       continue;
-    seen.push_back(&piece);
+    seen_.push_back(&piece);
   }
-  return seen;
 }
 
-void StillModel::draw_all(std::span<const Piece* const> pieces, const Eyes& eyes) const {
-  for (const Piece* piece : pieces) {
+void StillModel::draw_all(const Eyes& eyes) const {
+  for (const Piece* piece : seen_) {
     glVertexArrayVertexBuffer(vertices_.name(), 0, piece->points.name(), 0, sizeof(ModelPoint));
     glVertexArrayElementBuffer(vertices_.name(), piece->indices.name());
     glDrawElementsInstanced(GL_TRIANGLES, piece->index_count, GL_UNSIGNED_INT, nullptr,
@@ -111,25 +113,24 @@ void StillModel::draw_all(std::span<const Piece* const> pieces, const Eyes& eyes
   }
 }
 
-void StillModel::draw_near(const HoleMap& holes, std::span<const Piece* const> pieces,
-                           const Eyes& eyes) {
-  std::vector<std::size_t> ends;
+void StillModel::draw_near(const HoleMap& holes, const Eyes& eyes) {
   triangles_.clear();
-  for (const Piece* piece : pieces) {
+  ends_.clear();
+  for (const Piece* piece : seen_) {
     piece->cells.add_near_holes(eyes, holes, triangles_);
-    ends.push_back(triangles_.size());
+    ends_.push_back(triangles_.size());
   }
   near_holes_ = filled_buffer(std::span<const ModelTriangle>(triangles_));
   glVertexArrayElementBuffer(vertices_.name(), near_holes_.name());
   std::size_t begin = 0;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (ends[i] == begin) continue;
-    const std::size_t count = 3 * (ends[i] - begin);
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    if (ends_[i] == begin) continue;
+    const std::size_t count = 3 * (ends_[i] - begin);
     const auto* const first = reinterpret_cast<const void*>(begin * sizeof(ModelTriangle));
-    glVertexArrayVertexBuffer(vertices_.name(), 0, pieces[i]->points.name(), 0, sizeof(ModelPoint));
+    glVertexArrayVertexBuffer(vertices_.name(), 0, seen_[i]->points.name(), 0, sizeof(ModelPoint));
     glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT, first,
                             eyes.count());
-    begin = ends[i];
+    begin = ends_[i];
   }
 }
 
@@ -142,10 +143,11 @@ void StillModel::draw(const Eyes& eyes, const GlTexture& shown_depth, const Hole
   glBindVertexArray(vertices_.name());
   const Enabled culling(GL_CULL_FACE);
   glCullFace(GL_BACK);
+  find_seen_pieces(eyes);
   if (holes != nullptr) {
-    draw_near(*holes, seen_pieces(eyes), eyes);
+    draw_near(*holes, eyes);
   } else {
-    draw_all(seen_pieces(eyes), eyes);
+    draw_all(eyes);
   }
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -43,9 +44,13 @@ class StillModel {
   void clear() { pieces_.clear(); }
   [[nodiscard]] bool is_empty() const { return pieces_.empty(); }
 
+  /// Whether draw() is faster with holes, because a software driver draws. A graphics card would
+  /// wait for the picture in which they are found.
+  [[nodiscard]] bool wants_holes() const { return in_software_; }
+
   /// Draws into the bound framebuffer, against its depth, where `shown_depth`, a picture of the
   /// same size, is infinite. Leaves out pieces that no eye sees. With `holes`, those of
-  /// `shown_depth`, it also leaves out triangles without a hole nearby.
+  /// `shown_depth`, it also leaves out triangles without a hole nearby; only where it wants them.
   void draw(const Eyes& eyes, const GlTexture& shown_depth, const HoleMap* holes);
 
  private:
@@ -55,18 +60,22 @@ class StillModel {
     GlBuffer points, indices;
     GLsizei index_count = 0;
     Eigen::AlignedBox3f box_m;
-    ModelCells cells;
+    ModelCells cells;  // empty unless holes are wanted
   };
   explicit StillModel(Program program);
-  [[nodiscard]] std::vector<const Piece*> seen_pieces(const Eyes& eyes) const;
-  void draw_all(std::span<const Piece* const> pieces, const Eyes& eyes) const;
-  void draw_near(const HoleMap& holes, std::span<const Piece* const> pieces, const Eyes& eyes);
+  void find_seen_pieces(const Eyes& eyes);
+  void draw_all(const Eyes& eyes) const;
+  void draw_near(const HoleMap& holes, const Eyes& eyes);
 
   Program program_;
   GlVertexArray vertices_;
+  bool in_software_;
   std::map<ModelPlace, Piece> pieces_;
-  GlBuffer near_holes_;  // triangles of one picture
-  std::vector<ModelTriangle> triangles_;
+  // Of one picture; kept so that the next one needs no memory.
+  std::vector<const Piece*> seen_;
+  std::vector<ModelTriangle> triangles_;  // near holes
+  std::vector<std::size_t> ends_;         // of each seen piece's triangles
+  GlBuffer near_holes_;                   // the triangles
 };
 
 }  // namespace roomcast::render
