@@ -25,12 +25,9 @@ Result<RigFrames> RigFrames::open(const std::filesystem::path& folder,
     const SensorCalibration cameras = recording->camera.calibration;
     const io::DepthValues depth_values(recording->camera);
     frames.sensors_.push_back({*std::move(recording), *entry.world_from_depth, depth_values,
-                               *std::move(registration), std::nullopt, std::nullopt,
+                               *std::move(registration), std::nullopt,
                                folder / "truth" / entry.id});
-    if (fill_holes) {
-      frames.sensors_.back().sparse_completion.emplace(cameras.depth.width, cameras.depth.height);
-      frames.sensors_.back().plane_completion.emplace(cameras);
-    }
+    if (fill_holes) frames.sensors_.back().completion.emplace(cameras);
   }
   return frames;
 }
@@ -54,8 +51,7 @@ Status RigFrames::read(Sensor& sensor, std::uint64_t number, RegisteredFrame& ou
   sensor.depth_values.to_mm(out.depth_mm);
   const io::ImageSize color{cameras.color.width, cameras.color.height};
   if (auto status = reader_.read_color(file->color, color, color_); !status) return status;
-  if (sensor.plane_completion) sensor.plane_completion->complete(out.depth_mm, color_);
-  if (sensor.sparse_completion) sensor.sparse_completion->complete(out.depth_mm);
+  if (sensor.completion) sensor.completion->complete(out.depth_mm, color_);
   return sensor.registration.run(out.depth_mm, color_, out.color);
 }
 

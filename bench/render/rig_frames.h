@@ -18,8 +18,7 @@
 #include "roomcast/io/depth_values.h"
 #include "roomcast/io/image_file.h"
 #include "roomcast/recording/dataset/recording.h"
-#include "roomcast/sensor/plane_completion.h"
-#include "roomcast/sensor/sparse_completion.h"
+#include "roomcast/sensor/hole_completion.h"
 
 namespace roomcast::bench {
 
@@ -41,8 +40,7 @@ class RigFrames {
     RigidTransform world_from_depth;
     io::DepthValues depth_values;  // with factors on readings, of the rig and of alignment
     HoleRegistration registration;
-    std::optional<sensor::SparseCompletion> sparse_completion;
-    std::optional<sensor::PlaneCompletion> plane_completion;
+    std::optional<sensor::HoleCompletion> completion;
     std::filesystem::path truth;  // folder with its noise-free depth
   };
   [[nodiscard]] std::vector<Sensor>& sensors() { return sensors_; }

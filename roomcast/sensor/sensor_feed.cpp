@@ -13,13 +13,12 @@
 #include "roomcast/sensor/bundle_monitor.h"
 #include "roomcast/sensor/coarse_depth.h"
 #include "roomcast/sensor/frame_log.h"
+#include "roomcast/sensor/hole_completion.h"
 #include "roomcast/sensor/instant_reporter.h"
 #include "roomcast/sensor/interference_filter.h"
-#include "roomcast/sensor/plane_completion.h"
 #include "roomcast/sensor/preview.h"
 #include "roomcast/sensor/sender/frame_sender.h"
 #include "roomcast/sensor/sighting_detector.h"
-#include "roomcast/sensor/sparse_completion.h"
 #include "roomcast/wire/limits.h"
 #include "roomcast/wire/sighting_request.h"
 
@@ -67,11 +66,8 @@ class SensorFeed::Worker {
         frame_log_(std::move(frame_log)),
         sender_(std::move(sender)) {
     if (!options.preview.empty()) preview_.emplace(options.preview);
-    if (options.fill_holes && options.codec.depth_mode == codec::DepthMode::kLive) {
-      const SensorCalibration& cameras = source_->description().calibration;
-      sparse_completion_.emplace(cameras.depth.width, cameras.depth.height);
-      plane_completion_.emplace(cameras);
-    }
+    if (options.fill_holes && options.codec.depth_mode == codec::DepthMode::kLive)
+      completion_.emplace(source_->description().calibration);
     if (microphone)
       microphone_.emplace(std::move(microphone), options.microphone, sender_->publisher(), log_);
   }
@@ -144,8 +140,7 @@ class SensorFeed::Worker {
 
   Status process_captured() {
     watch_interference();
-    if (plane_completion_) plane_completion_->complete(captured_.depth_mm, captured_.color);
-    if (sparse_completion_) sparse_completion_->complete(captured_.depth_mm);
+    if (completion_) completion_->complete(captured_.depth_mm, captured_.color);
     return send_captured();
   }
 
@@ -292,8 +287,7 @@ class SensorFeed::Worker {
   InterferenceFilter interference_;
   const bool filters_interference_;
   HostTime next_health_{};
-  std::optional<SparseCompletion> sparse_completion_;
-  std::optional<PlaneCompletion> plane_completion_;
+  std::optional<HoleCompletion> completion_;
   std::optional<FrameLog> frame_log_;
   std::optional<Preview> preview_;
   bool preview_failed_ = false;

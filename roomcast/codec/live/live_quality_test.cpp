@@ -143,9 +143,9 @@ TEST(LiveQuality, a_vanished_surface_is_gone_within_half_a_second) {
   }
 }
 
-/// What a key frame shows that is encoded after a thing of 20 x 20 pixels has gone and somebody has
-/// passed before the place. `behind_mm`: of the surface behind the thing in every fourth frame; 0
-/// where it is read in no other.
+/// A thing of 20 x 20 pixels goes, somebody passes before its place, and then a key frame is
+/// encoded. Returns the depth that this key frame shows. `behind_mm`: the reading of the surface
+/// behind the thing, in every fourth frame; 0: it gives none.
 DepthImage shown_where_a_thing_has_gone(std::uint16_t behind_mm) {
   constexpr FrameRole kKey{true, 0}, kOther{false, 0};
   constexpr std::uint16_t kThing_mm = 3000, kSomebody_mm = 1000;

@@ -71,11 +71,11 @@ class StillModel {
   GlVertexArray vertices_;
   bool in_software_;
   std::map<ModelPlace, Piece> pieces_;
-  // Of one picture; kept so that the next one needs no memory.
+  // Of one picture; the vectors are kept so that the next picture needs no memory for them.
   std::vector<const Piece*> seen_;
   std::vector<ModelTriangle> triangles_;  // near holes
   std::vector<std::size_t> ends_;         // of each seen piece's triangles
-  GlBuffer near_holes_;                   // the triangles
+  GlBuffer near_holes_;                   // these triangles; made anew for each picture
 };
 
 }  // namespace roomcast::render
