@@ -57,8 +57,9 @@ class RoomWithout {
     return RoomWithout(frames, left_out, *std::move(room));
   }
 
-  /// Takes the frames of each of the others up to this time.
+  /// Takes the frames of each of the others up to this time, and draws what moves where it is then.
   Status advance(nanoseconds time) {
+    room_.set_instant(RoomTime(time));
     for (std::size_t s = 0; s < frames_.sensors().size(); ++s) {
       RigFrames::Sensor& sensor = frames_.sensors()[s];
       const Frames& files = sensor.recording.frames;
@@ -66,7 +67,8 @@ class RoomWithout {
            ++next_[s]) {
         auto status = frames_.read(sensor, files[next_[s]].index, frame_);
         if (!status) return status;
-        status = room_.upload(id_of(s), frame_.depth_mm, frame_.color.color, frame_.color.seen);
+        status = room_.upload(id_of(s), frame_.depth_mm, frame_.color.color, frame_.color.seen,
+                              RoomTime(files[next_[s]].true_time));
         if (!status) return status;
       }
     }

@@ -46,6 +46,8 @@ struct JudgedView {
   ViewClasses classes;
 };
 
+using FrameFile = std::vector<recording::RecordedFrame>::const_iterator;
+
 class RenderBench {
  public:
   RenderBench(const RenderBenchOptions& options, TruthViews views, RigFrames frames,
@@ -70,6 +72,7 @@ class RenderBench {
   Status show(render::RoomRenderer& room, const FrameNumbers& numbers, RenderRow* cost);
   Status upload(render::RoomRenderer& room, std::size_t sensor, std::uint64_t number,
                 RenderRow* cost);
+  Status upload_before(render::RoomRenderer& room, std::size_t sensor, std::uint64_t number);
   Status measure_cost(render::RoomRenderer& room, const render::ViewCamera& camera,
                       const render::OffscreenTarget& target, render::RenderMode mode,
                       RenderRow& cost) const;
@@ -81,6 +84,7 @@ class RenderBench {
   [[nodiscard]] std::optional<FrameNumbers> next_frames(const FrameNumbers& numbers);
   [[nodiscard]] std::size_t late_sensor() { return frames_.sensors().size() - 1; }
   [[nodiscard]] std::uint64_t late_frame(std::uint64_t number);
+  [[nodiscard]] FrameFile file_of(std::size_t sensor, std::uint64_t number);
   [[nodiscard]] std::set<int> instants() const;
   void report_progress(const std::string& what) const {
     if (progress_) progress_(what);
@@ -124,6 +128,12 @@ Status RenderBench::judge_views() {
     judged_.push_back({entry, now, classify(entry, now, then, sights.at(entry.instant))});
   }
   return {};
+}
+
+/// Which must be in the recording.
+FrameFile RenderBench::file_of(std::size_t sensor, std::uint64_t number) {
+  const auto& files = frames_.sensors()[sensor].recording.frames;
+  return std::ranges::find(files, number, &recording::RecordedFrame::index);
 }
 
 std::set<int> RenderBench::instants() const {
@@ -201,8 +211,10 @@ Status RenderBench::upload(render::RoomRenderer& room, std::size_t sensor, std::
   if (auto status = frames_.read(frames_.sensors()[sensor], number, frame_); !status) return status;
   glFinish();
   const double before = process_cpu_ms();
+  std::optional<RoomTime> time;
+  if (options_.one_instant) time = RoomTime(file_of(sensor, number)->true_time);
   auto status = room.upload(SensorId{static_cast<std::uint16_t>(sensor)}, frame_.depth_mm,
-                            frame_.color.color, frame_.color.seen);
+                            frame_.color.color, frame_.color.seen, time);
   glFinish();
   if (cost != nullptr) {
     cost->upload_cpu_ms += process_cpu_ms() - before;
@@ -221,10 +233,19 @@ std::uint64_t RenderBench::late_frame(std::uint64_t number) {
   return late;
 }
 
+/// Uploads the frame before this one: motion is known from two in a row.
+Status RenderBench::upload_before(render::RoomRenderer& room, std::size_t sensor,
+                                  std::uint64_t number) {
+  const auto file = file_of(sensor, number);
+  if (file == frames_.sensors()[sensor].recording.frames.begin()) return {};
+  return upload(room, sensor, std::prev(file)->index, nullptr);
+}
+
 Status RenderBench::show(render::RoomRenderer& room, const FrameNumbers& numbers, RenderRow* cost) {
   for (std::size_t s = 0; s < numbers.size(); ++s) {
     const std::uint64_t number =
         options_.late_ms > 0 && s == late_sensor() ? late_frame(numbers[s]) : numbers[s];
+    if (auto status = upload_before(room, s, number); !status) return status;
     if (auto status = upload(room, s, number, cost); !status) return status;
   }
   return {};
@@ -305,6 +326,7 @@ Result<RenderRow> RenderBench::measure(render::RenderMode mode) {
     if (auto status = show(*room, views.front()->entry.frames, &row); !status) {
       return status.error();
     }
+    room->set_instant(views.front()->entry.time);
     std::vector<DrawnView> drawn;
     for (const JudgedView* view : views) {
       report_progress(
@@ -318,6 +340,7 @@ Result<RenderRow> RenderBench::measure(render::RenderMode mode) {
     const auto next = next_frames(views.front()->entry.frames);
     if (!next) continue;
     if (auto status = show(*room, *next, nullptr); !status) return status.error();
+    room->set_instant(RoomTime(file_of(0, next->front())->true_time));
     for (std::size_t i = 0; i < views.size(); ++i) {
       auto picture = draw(*room, *views[i], mode, nullptr);
       if (!picture) return picture.error();

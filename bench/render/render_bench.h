@@ -28,9 +28,10 @@ struct RenderBenchOptions {
   /// Every sensor is moved and rotated by this much, each in a different direction.
   double pose_error_mm = 0, pose_error_deg = 0;
   std::uint64_t pose_seed = 1;
-  double late_ms = 0;      // > 0: of the rig's last sensor pictures this old are shown,
-  bool keep_late = false;  // whole, instead of as RoomRenderer::set_late does
-  bool fill_holes = true;  // as a sensor does; false: as recorded
+  double late_ms = 0;       // > 0: of the rig's last sensor pictures this old are shown,
+  bool keep_late = false;   // whole, instead of as RoomRenderer::set_late does
+  bool one_instant = true;  // draws what moves where it is at the instant of the truth
+  bool fill_holes = true;   // as a sensor does; false: as recorded
   /// Where no sensor shows anything, the blend shows the model of what stands still.
   bool model = false;
   bool stereo = false;                                 // also measures the cost of two eyes

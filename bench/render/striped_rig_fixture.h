@@ -56,6 +56,7 @@ class StripedRigTest : public testing::Test {
       views["views"].push_back(
           {{"view", 0},
            {"instant", instant},
+           {"true_time_s", (instant + 2) / 30.0},
            {"color", name + ".png"},
            {"depth", name + "_depth.png"},
            {"seen", name + "_seen.png"},

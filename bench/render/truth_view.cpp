@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/render/truth_view.h"
 
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -20,6 +21,8 @@ TruthViewEntry entry_from_json(const json& file, const json& view,
   TruthViewEntry entry;
   entry.view = view.at("view");
   entry.instant = view.at("instant");
+  const std::chrono::duration<double> time(view.at("true_time_s").get<double>());
+  entry.time = RoomTime(std::chrono::round<nanoseconds>(time));
   const std::vector<double> pose = view.at("world_from_view");
   entry.camera.world_from_view =
       transform_from_row_major(pose).value() * render::optical_from_view();

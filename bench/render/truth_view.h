@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "roomcast/core/clock.h"
 #include "roomcast/core/image.h"
 #include "roomcast/core/result.h"
 #include "roomcast/recording/dataset/rig_json.h"
@@ -18,6 +19,7 @@ namespace roomcast::bench {
 struct TruthViewEntry {
   int view = 0, instant = 0;
   render::ViewCamera camera;
+  RoomTime time;  // of the rig's true clock
   std::filesystem::path color, depth, seen;
   std::vector<std::uint64_t> frames;  // for each sensor of the rig, the frame nearest in time
 };

@@ -50,6 +50,8 @@ void add_render_bench(CLI::App& bench, Command& chosen) {
       ->add_option("--late-ms", options->late_ms,
                    "The last sensor's pictures are this old, as over a slow line")
       ->check(within(0.0, 10'000.0));
+  command->add_flag("--as-seen{false}", options->one_instant,
+                    "Draw what moves where each sensor saw it, not where it is at one instant");
   command->add_flag("--keep-late", options->keep_late,
                     "Draw these old pictures whole, also where others see through them");
   command->add_flag("--keep-holes{false}", options->fill_holes,

@@ -34,7 +34,9 @@ Status RoomRenderer::set_sensor(SensorId id, const CameraIntrinsics& depth,
   Result<SensorSurface> surface = SensorSurface::create(depth);
   if (!surface) return std::move(surface).error();
   sensors_.insert_or_assign(
-      id, Sensor{*std::move(surface), world_from_depth, {}, BackgroundModel(depth)});
+      id,
+      Sensor{
+          *std::move(surface), world_from_depth, {}, BackgroundModel(depth), SurfaceFlow(depth)});
   return {};
 }
 static_assert(kMaxRenderedSensors == 64, "the sentence above says so");
@@ -52,7 +54,8 @@ void RoomRenderer::set_late(SensorId id, bool late) {
   if (std::exchange(known->second.is_late, late) != late) known->second.model_is_fresh = false;
 }
 
-Status RoomRenderer::upload(SensorId id, DepthView depth_mm, ColorView color, MaskView seen) {
+Status RoomRenderer::upload(SensorId id, DepthView depth_mm, ColorView color, MaskView seen,
+                            std::optional<RoomTime> capture_time) {
   const auto sensor = sensors_.find(id);
   if (sensor == sensors_.end()) {
     return Error{ErrorCode::kNotFound, "sensor " + std::to_string(id.value) +
@@ -60,6 +63,7 @@ Status RoomRenderer::upload(SensorId id, DepthView depth_mm, ColorView color, Ma
   }
   Sensor& known = sensor->second;
   if (Status uploaded = known.surface.upload(depth_mm, color, seen); !uploaded) return uploaded;
+  known.flow.take(depth_mm, capture_time);
   if (options_.update_background) {
     parts_.updater.update(known.surface, known.background_model);
     colors_.offer(id, known.surface.intrinsics(), depth_mm, color, seen);
@@ -114,10 +118,29 @@ Status RoomRenderer::draw(const Eyes& eyes, const OffscreenTarget& target, Rende
   return {};
 }
 
+/// Sensors that cannot be brought to it with the newest do not count.
+std::optional<RoomTime> RoomRenderer::shown_instant() const {
+  if (instant_) return instant_;
+  std::optional<RoomTime> newest;
+  for (const auto& [id, sensor] : sensors_) {
+    if (!sensor.is_unplaced) newest = std::max(newest, sensor.flow.time());
+  }
+  if (!newest) return std::nullopt;
+  RoomTime oldest = *newest;
+  for (const auto& [id, sensor] : sensors_) {
+    const std::optional<RoomTime> time = sensor.flow.time();
+    if (time && !sensor.is_unplaced && *newest - *time <= 2 * kMaxAhead) {
+      oldest = std::min(oldest, *time);
+    }
+  }
+  return oldest + (*newest - oldest) / 2;
+}
+
 /// Puts live surfaces before backs and backgrounds, which they mostly hide; only blend mode draws
 /// those.
 void RoomRenderer::gather_layers(RenderMode mode) {
   using Part = SurfaceLayer::Part;
+  const std::optional<RoomTime> instant = shown_instant();
   layers_.clear();
   const auto gather = [&](Part part) {
     for (const auto& [id, sensor] : sensors_) {
@@ -125,7 +148,8 @@ void RoomRenderer::gather_layers(RenderMode mode) {
       const BackgroundModel& model = sensor.background_model;
       layers_.push_back({id, sensor.world_from_depth,
                          part == Part::kBackground ? &model.background() : &model.live(),
-                         &sensor.surface.rays(), part});
+                         &sensor.surface.rays(), &sensor.flow, part,
+                         part == Part::kBackground ? 0 : sensor.flow.ahead_s(instant)});
     }
   };
   gather(Part::kLive);

@@ -5,8 +5,10 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <vector>
 
+#include "roomcast/core/clock.h"
 #include "roomcast/core/ids.h"
 #include "roomcast/render/blend/adaptive_renderer.h"
 #include "roomcast/render/blend/background_model.h"
@@ -65,9 +67,16 @@ class RoomRenderer {
   /// moves was there, and is seen elsewhere now. Does nothing if there is no such sensor.
   void set_late(SensorId id, bool late);
 
-  /// Sets the sensor's newest pictures. kNotFound without a set_sensor before it; other errors as
-  /// SensorSurface::upload.
-  Status upload(SensorId id, DepthView depth_mm, ColorView color, MaskView seen);
+  /// Sets the sensor's newest pictures. From the times of these and of those before follows how
+  /// what stands before the background moves; without a time nothing does. kNotFound without a
+  /// set_sensor before it; other errors as SensorSurface::upload.
+  Status upload(SensorId id, DepthView depth_mm, ColorView color, MaskView seen,
+                std::optional<RoomTime> capture_time = std::nullopt);
+
+  /// The blend and adaptive modes draw what moves where it is at this instant, kMaxAhead from the
+  /// pictures at most. Without an instant it is in the middle between the sensors' newest pictures,
+  /// of those that can be brought to one instant.
+  void set_instant(std::optional<RoomTime> instant) { instant_ = instant; }
 
   /// Does nothing if there is no such sensor.
   void remove(SensorId id);
@@ -93,6 +102,7 @@ class RoomRenderer {
     RigidTransform world_from_depth;
     SurfaceMesh mesh;
     BackgroundModel background_model;
+    SurfaceFlow flow;
     bool model_is_fresh = false;
     bool is_unplaced = false;
     bool is_late = false;
@@ -112,12 +122,14 @@ class RoomRenderer {
   void draw_sensors(const Eyes& eyes, RenderMode mode);
   void draw_unplaced(const Eyes& eyes);
   void draw_sensor(SensorId id, Sensor& sensor, const Eyes& eyes, RenderMode mode);
+  [[nodiscard]] std::optional<RoomTime> shown_instant() const;
   void gather_layers(RenderMode mode);
   void refresh_background_models();
 
   Parts parts_;
   ColorMatching colors_;
   RenderOptions options_;
+  std::optional<RoomTime> instant_;
   std::vector<SurfaceLayer> layers_;  // of the last picture
   std::map<SensorId, Sensor>
       sensors_;  // ordered, so that the same room always gives the same picture

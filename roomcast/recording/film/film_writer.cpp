@@ -131,7 +131,7 @@ Status FilmWriter::show(const FrameSet& set) {
         !status)
       return status;
     if (auto status = stage_.renderer.upload(id_of(sensor), pictures.depth_mm, pictures.color,
-                                             pictures.color_seen);
+                                             pictures.color_seen, RoomTime(frame->time));
         !status)
       return status;
   }

@@ -6,6 +6,7 @@
 #include "roomcast/core/ids.h"
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/render/blend/clean_surface.h"
+#include "roomcast/render/blend/surface_flow.h"
 #include "roomcast/render/view/eyes.h"
 
 namespace roomcast::render {
@@ -24,7 +25,9 @@ struct SurfaceLayer {
   RigidTransform world_from_depth;
   const CleanSurface* surface = nullptr;
   const GlTexture* rays = nullptr;
+  const SurfaceFlow* flow = nullptr;
   Part part = Part::kLive;
+  float ahead_s = 0;  // draws what moves where it is this much later
 };
 
 /// A program for LayerPainter that ends with these two shaders.

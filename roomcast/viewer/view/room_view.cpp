@@ -46,7 +46,8 @@ Status RoomView::show_sensor(const client::RoomSensor& sensor, bool is_late) {
   if (sensor.is_paused) return clear_surface(sensor, uploaded);
   if (uploaded.picture == sensor.picture && uploaded.lens == sensor.calibration.depth) return {};
   const codec::DecodedFrame& frame = sensor.picture->frame;
-  if (auto status = renderer_.upload(sensor.id, frame.depth_mm, frame.color, frame.color_seen);
+  if (auto status = renderer_.upload(sensor.id, frame.depth_mm, frame.color, frame.color_seen,
+                                     sensor.picture->capture_time);
       !status)
     return status;
   uploaded = {sensor.picture, sensor.calibration.depth};

@@ -2,7 +2,7 @@
 // Main class of the worker: follows the roster, decodes every sensor's frames, and offers the newest frame sets to the
 // page.
 import type { CodecModule } from '../codec/codec_module';
-import type { Roster, UnseenSensors } from '../gen/control_pb';
+import type { Intrinsics, Roster, UnseenSensors } from '../gen/control_pb';
 import { silence, type HeardPacket, type SpokenPacket } from '../voice/voice_packet';
 import type { AudioHeader } from '../wire/audio_header';
 import { roomRoster } from '../room_roster';
@@ -15,6 +15,7 @@ import { FrameSetAssembly } from './frame_set_assembly';
 import { HubConnection } from './hub_connection';
 import { LateQueue } from './late_queue';
 import {
+  buffersOf,
   pageTime_ms,
   type Body,
   type DecodedRecord,
@@ -163,11 +164,11 @@ export class RoomStream {
       if (!listed.has(id)) this.remove(id, stream);
     }
     for (const { id, calibration } of roster.sensors) {
-      const { width, height } = calibration!.depth!;
+      const lens = calibration!.depth!;
       const stream = this.sensors.get(id);
-      if (stream && stream.grid.width === width && stream.grid.height === height) continue;
+      if (stream?.hasLens(lens)) continue;
       if (stream) this.remove(id, stream);
-      this.add(id, width, height);
+      this.add(id, lens);
     }
     this.post({ kind: 'roster', roster: roomRoster(roster) });
   }
@@ -181,12 +182,12 @@ export class RoomStream {
     this.post({ kind: 'unseen', paused });
   }
 
-  private add(id: number, width: number, height: number): void {
+  private add(id: number, lens: Intrinsics): void {
     const { codec, buffers } = this;
-    const color = this.color && { ...this.color, codedWidth: width, codedHeight: height };
+    const color = this.color && { ...this.color, codedWidth: lens.width, codedHeight: lens.height };
     const stream = new SensorStream(
       id,
-      { width, height },
+      lens,
       { codec: codec!, color, buffers },
       {
         decoded: (header, depth_mm) => this.options!.record && this.record(header, depth_mm),
@@ -241,13 +242,12 @@ export class RoomStream {
   }
 
   private sendFrames(setId: bigint, frames: ViewFrame[]): void {
-    const pixels = frames.flatMap(({ depth_mm, rgba }) => (rgba ? [depth_mm.buffer, rgba.buffer] : [depth_mm.buffer]));
+    const pixels = frames.flatMap(buffersOf);
     this.post({ kind: 'frames', setId, frames, decodedAt_ms: pageTime_ms() }, pixels);
   }
 
   private recycle(frame: ViewFrame): void {
-    this.buffers.giveBack(frame.depth_mm.buffer);
-    if (frame.rgba) this.buffers.giveBack(frame.rgba.buffer);
+    buffersOf(frame).forEach((buffer) => this.buffers.giveBack(buffer));
   }
 
   private reportStatus(hub: RoomSource): void {

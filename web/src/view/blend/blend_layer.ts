@@ -33,7 +33,7 @@ export class BlendLayer {
     private readonly memory: BackgroundModel,
     private readonly kind: LayerKind,
   ) {
-    const { lens, rays } = memory.sensor;
+    const { lens, rays, flow } = memory.sensor;
     this.uniforms = {
       uDepth_m: { value: null },
       uQuality: { value: null },
@@ -42,6 +42,8 @@ export class BlendLayer {
       uEdge_m: { value: edge_m },
       uEdgeSlope: { value: edgeSlope },
       uSetback_m: { value: setback_m[kind] },
+      uFlow: { value: flow },
+      uAhead_s: { value: 0 },
       uBehind_m: { value: null },
       uForegroundOnly: { value: kind === 'backs' },
       uIsBackground: { value: kind === 'background' },
@@ -84,6 +86,11 @@ export class BlendLayer {
       mesh.matrix.copy(worldFromDepth);
       mesh.matrixWorldNeedsUpdate = true;
     }
+  }
+
+  /** Draws what moves where it is this much after the newest picture. */
+  setAhead(ahead_s: number): void {
+    this.uniforms.uAhead_s!.value = this.kind === 'background' || !this.memory.sensor.moves ? 0 : ahead_s;
   }
 
   /** Takes over the memory's current textures. */
