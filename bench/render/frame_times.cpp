@@ -19,6 +19,7 @@ namespace roomcast::bench {
 namespace {
 
 constexpr int kPicturesPerFrameSet = 3;  // of a headset of 90 Hz, sensors of 30 frames/s
+constexpr nanoseconds kPeriod = std::chrono::milliseconds(33);
 constexpr std::size_t kKeptFrameSets = 10;
 constexpr double kEyesApart_m = 0.064;
 constexpr double kCopyBeside_m = 0.03;
@@ -86,7 +87,7 @@ class FrameTimes {
 
  private:
   [[nodiscard]] Result<render::RoomRenderer> room_of(render::RenderMode mode, int sensors) const;
-  Status show(render::RoomRenderer& room, const FrameSet& set, int sensors) const;
+  Status show(render::RoomRenderer& room, int number, int sensors) const;
   [[nodiscard]] render::Eyes eyes_at(int picture) const;
 
   const std::vector<RigFrames::Sensor>& sensors_;
@@ -113,11 +114,14 @@ Result<render::RoomRenderer> FrameTimes::room_of(render::RenderMode mode, int se
   return room;
 }
 
-Status FrameTimes::show(render::RoomRenderer& room, const FrameSet& set, int sensors) const {
+/// The sensors take their pictures one after the other, at even distances.
+Status FrameTimes::show(render::RoomRenderer& room, int number, int sensors) const {
+  const FrameSet& set = sets_[static_cast<std::size_t>(number) % sets_.size()];
   for (std::size_t s = 0; s < static_cast<std::size_t>(sensors); ++s) {
     const RegisteredFrame& frame = set[s % set.size()];
+    const RoomTime time(kPeriod * number + kPeriod * static_cast<int>(s) / sensors);
     auto status = room.upload(SensorId{static_cast<std::uint16_t>(s)}, frame.depth_mm,
-                              frame.color.color, frame.color.seen);
+                              frame.color.color, frame.color.seen, time);
     if (!status) return status;
   }
   return {};
@@ -144,8 +148,9 @@ Result<FrameTimesRow> FrameTimes::measure(render::RenderMode mode, int sensors) 
   if (!room) return room.error();
   const auto target = render::OffscreenTarget::create(head_.width, head_.height, 2);
   if (!target) return target.error();
-  for (const FrameSet& set : sets_) {  // the background is learnt, and buffers reach their size
-    if (auto status = show(*room, set, sensors); !status) return status.error();
+  const auto kept = static_cast<int>(sets_.size());
+  for (int i = 0; i < kept; ++i) {  // the background is learnt, and buffers reach their size
+    if (auto status = show(*room, i, sensors); !status) return status.error();
     if (auto status = room->draw(eyes_at(0), *target, mode); !status) return status.error();
   }
   std::vector<double> with_new, without, gpu;
@@ -155,7 +160,7 @@ Result<FrameTimesRow> FrameTimes::measure(render::RenderMode mode, int sensors) 
       glFinish();
       const auto begin = Clock::now();
       Status status;
-      if (j == 0) status = show(*room, sets_[static_cast<std::size_t>(i) % sets_.size()], sensors);
+      if (j == 0) status = show(*room, kept + i, sensors);
       if (!status) return status.error();
       const GpuTimer timer;
       status = room->draw(eyes_at(picture), *target, mode);

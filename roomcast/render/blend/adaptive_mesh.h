@@ -27,7 +27,10 @@ class AdaptiveMesher {
   /// Another surface in the same grid: parts that coincide with it are left out.
   struct Covering {
     const GlTexture* depth_m = nullptr;  // metres, 0 where there is no such surface
-    bool is_needed = false;  // only parts wholly before such a surface are kept: no specks of noise
+    /// Only parts wholly before such a surface are kept, so that noise leaves no specks, and, where
+    /// there is no such surface, parts that move.
+    bool is_needed = false;
+    const GlTexture* flow = nullptr;  // SurfaceFlow::cells, if it is needed
   };
 
   /// Meshes a depth texture in metres. `options.grid_step` is ignored.
@@ -36,7 +39,7 @@ class AdaptiveMesher {
 
  private:
   struct Programs {
-    ComputeProgram<shaders::depth_noise_glsl, shaders::blend_surface_glsl,
+    ComputeProgram<shaders::depth_noise_glsl, shaders::blend_surface_glsl, shaders::scene_flow_glsl,
                    shaders::adaptive_mesh_comp>
         tiles;
     ComputeProgram<shaders::mesh_offsets_comp> offsets;

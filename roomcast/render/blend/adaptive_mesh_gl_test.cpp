@@ -25,11 +25,16 @@ class AdaptiveMeshTest : public GlTest {
                                      const Image<float>* covering = nullptr) {
     Result<AdaptiveMesher> mesher = AdaptiveMesher::create();
     EXPECT_TRUE(mesher.ok()) << mesher.error().message;
-    const GlTexture depth = texture_of(depth_m);
     const GlTexture cover = covering ? texture_of(*covering) : GlTexture();
+    return triangles_of(depth_m, AdaptiveMesher::Covering{covering ? &cover : nullptr}, *mesher);
+  }
+
+  static std::vector<Triangle> triangles_of(const Image<float>& depth_m,
+                                            const AdaptiveMesher::Covering& covering,
+                                            AdaptiveMesher& mesher) {
+    const GlTexture depth = texture_of(depth_m);
     AdaptiveMesh mesh;
-    mesher->build(depth, {covering ? &cover : nullptr}, depth_m.width(), depth_m.height(), {},
-                  mesh);
+    mesher.build(depth, covering, depth_m.width(), depth_m.height(), {}, mesh);
     GLuint count = 0;
     glGetNamedBufferSubData(mesh.commands.name(), 0, sizeof count, &count);
     std::vector<Triangle> triangles(count / 3);
@@ -123,6 +128,29 @@ TEST_F(AdaptiveMeshTest, what_lies_on_the_covering_surface_is_left_out) {
   EXPECT_LE(covered, 16 * (kAdaptiveMeshHeight - 1))
       << "no more than the nodes that he stands before";
   EXPECT_TRUE(triangles_of(wall, &wall).empty());
+}
+
+TEST_F(AdaptiveMeshTest, before_an_unknown_background_only_what_moves_is_kept) {
+  Result<AdaptiveMesher> mesher = AdaptiveMesher::create();
+  ASSERT_TRUE(mesher.ok()) << mesher.error().message;
+  const GlTexture unknown = texture_of({kAdaptiveMeshWidth, kAdaptiveMeshHeight, 0.0F});
+  Image<Eigen::Vector4f> cells(kAdaptiveMeshWidth / 4 + 1, kAdaptiveMeshHeight / 4 + 1,
+                               {0.1F, 0, 0, 2});  // too slow to be told from noise
+  for (int y = 0; y < cells.height(); ++y) {
+    for (int x = 8; x < cells.width(); ++x) cells.at(x, y) = {0, 0.5F, 0, 2};
+  }
+  const GlTexture flow = make_texture(GL_RGBA16F, cells.width(), cells.height());
+  glTextureSubImage2D(flow.name(), 0, 0, 0, cells.width(), cells.height(), GL_RGBA, GL_FLOAT,
+                      cells.data());
+  const AdaptiveMesher::Covering covering{&unknown, true, &flow};
+  const Image<float> person(kAdaptiveMeshWidth, kAdaptiveMeshHeight, 1.5F);
+  const std::vector<Triangle> kept = triangles_of(person, covering, *mesher);
+  EXPECT_EQ(cells_covered(kept), (kAdaptiveMeshWidth - 1 - 32) * (kAdaptiveMeshHeight - 1));
+  for (const Triangle& t : kept) {
+    for (const GLuint i : t) EXPECT_GE(column(i), 32);
+  }
+  const Image<float> wall(kAdaptiveMeshWidth, kAdaptiveMeshHeight, 3.0F);
+  EXPECT_TRUE(triangles_of(wall, covering, *mesher).empty()) << "farther than what moves";
 }
 
 TEST_F(AdaptiveMeshTest, the_same_surface_gives_the_same_triangles) {

@@ -78,7 +78,7 @@ void BackgroundUpdater::refresh(const SensorSurface& sensor, std::span<const Oth
   parts_.cleaner.finish(sensor, known, Shows::kNewest, {options.mesh, options.gain}, model.live_);
   const SurfaceCleaner::Options behind{options.mesh, options.gain, &model.live_};
   parts_.cleaner.finish(sensor, known, Shows::kBackground, behind, model.background_);
-  parts_.cleaner.find_foreground(model.background_, options.mesh, model.live_);
+  parts_.cleaner.find_foreground(model.background_, options.mesh, options.flow, model.live_);
 }
 
 void BackgroundUpdater::carve(const SensorSurface& sensor, const OtherSensor& other,

@@ -70,9 +70,10 @@ void SurfaceCleaner::finish(const SensorSurface& sensor, const Known& known, Sho
 }
 
 void SurfaceCleaner::find_foreground(const CleanSurface& background,
-                                     const SurfaceMeshOptions& options, CleanSurface& surface) {
-  parts_.mesher.build(surface.depth_m, {&background.depth_m, true}, surface.width, surface.height,
-                      options, surface.foreground);
+                                     const SurfaceMeshOptions& options, const GlTexture& flow,
+                                     CleanSurface& surface) {
+  parts_.mesher.build(surface.depth_m, {&background.depth_m, true, &flow}, surface.width,
+                      surface.height, options, surface.foreground);
 }
 
 void SurfaceCleaner::weigh_pixels(const GlTexture& rays, CleanSurface& surface) {

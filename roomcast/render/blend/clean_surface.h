@@ -57,9 +57,10 @@ class SurfaceCleaner {
   void finish(const SensorSurface& sensor, const Known& known, Shows shows, const Options& options,
               CleanSurface& surface);
 
-  /// Finds the foreground of a finished surface.
+  /// Finds the foreground of a finished surface: what is before a known background, and what moves
+  /// (`flow`: SurfaceFlow::cells) before an unknown one.
   void find_foreground(const CleanSurface& background, const SurfaceMeshOptions& options,
-                       CleanSurface& surface);
+                       const GlTexture& flow, CleanSurface& surface);
 
  private:
   struct Parts {

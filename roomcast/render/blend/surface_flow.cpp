@@ -11,10 +11,17 @@ static_assert(sizeof(scene_flow::CellFlow) == 4 * sizeof(float), "cells are uplo
 
 SurfaceFlow::SurfaceFlow(const CameraIntrinsics& depth)
     : flow_(depth),
-      cells_(make_texture(GL_RGBA16F, flow_.field().width(), flow_.field().height())) {}
+      cells_(make_texture(GL_RGBA16F, flow_.field().width(), flow_.field().height())) {
+  clear_cells();
+}
+
+void SurfaceFlow::clear_cells() {
+  glClearTexImage(cells_.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
+}
 
 void SurfaceFlow::take(DepthView depth_mm, std::optional<RoomTime> capture_time) {
-  if (std::exchange(time_, capture_time) == capture_time || !capture_time) return;
+  if (std::exchange(time_, capture_time) == capture_time) return;
+  if (!capture_time) return clear_cells();
   flow_.take(depth_mm, *capture_time);
   const scene_flow::FlowField& field = flow_.field();
   glTextureSubImage2D(cells_.name(), 0, 0, 0, field.width(), field.height(), GL_RGBA, GL_FLOAT,

@@ -31,8 +31,10 @@ class SurfaceFlow {
   [[nodiscard]] const GlTexture& cells() const { return cells_; }
 
  private:
+  void clear_cells();
+
   scene_flow::SceneFlow flow_;
-  GlTexture cells_;  // RGBA16F, as blend_in_view.glsl reads it
+  GlTexture cells_;  // RGBA16F, as scene_flow.glsl reads it
   std::optional<RoomTime> time_;
 };
 

@@ -10,7 +10,8 @@ layout(binding = 5) uniform sampler2D covering_depth_m;
 
 layout(location = 4) uniform vec2 max_gap;     // metres, and share of the nearest corner's distance
 layout(location = 5) uniform bool is_covered;  // parts on the covering surface are not drawn
-layout(location = 6) uniform bool needs_covering;  // only what lies wholly before that surface is drawn
+// Only what lies wholly before that surface is drawn, and, where the surface is unknown, what moves.
+layout(location = 6) uniform bool needs_covering;
 
 const int kSide = 16;
 const int kSamples = kSide + 1;
@@ -19,6 +20,7 @@ const int kLevels = 4;  // nodes of 2, 4, 8 and 16 cells
 const int kFirstNode[4] = int[4](0, 64, 80, 84);
 const int kNodes = 85;
 const float kApart = 1.0e9;
+const float kMoves = 0.25;  // m/s; slower could be noise
 
 shared float z[kSamples * kSamples];
 shared bool hidden[kSamples * kSamples];  // by the covering surface
@@ -34,10 +36,15 @@ int node_at(int level, ivec2 cell) {
   return kFirstNode[level] + node.y * across + node.x;
 }
 
+bool moves(ivec2 pixel, float here) {
+  vec4 cell = texelFetch(flow, pixel / kCellPixels, 0);
+  return here < cell.w && length(cell.xyz) > kMoves;
+}
+
 bool is_hidden_at(ivec2 pixel, float here) {
   if (!is_covered || here == 0.0) return false;
   float covering = texelFetch(covering_depth_m, pixel, 0).r;
-  if (covering == 0.0) return needs_covering;
+  if (covering == 0.0) return needs_covering && !moves(pixel, here);
   return abs(covering - here) < same_surface_gate(here);
 }
 

@@ -1,22 +1,18 @@
-// Transforms a cleaned surface to the view. Comes before vertex shaders, after eyes.glsl, surface_view.glsl and
-// blend_surface.glsl.
+// Transforms a cleaned surface to the view. Comes before vertex shaders, after eyes.glsl, surface_view.glsl,
+// blend_surface.glsl and scene_flow.glsl.
 
 layout(location = 5) uniform float setback_m;  // along the eye's ray
 layout(location = 7) uniform float ahead_s;    // draws what moves where it is after this time; 0: where it was seen
 
-// In cells of kCellPixels x kCellPixels pixels: metres per second in the sensor's frame; surfaces nearer than the last
-// number move, in metres.
-layout(binding = 5) uniform sampler2D flow;
-
-const float kCellPixels = 4.0;
-
-// Between the four cells around the pixel, of those whose surface this is.
+// Between the four cells around the pixel, of those whose surface this is. Most surfaces stand still: a software driver
+// runs both sides of a branch, but ends a loop that has no turns.
 vec3 velocity_at(ivec2 pixel, float z) {
-  vec2 at = (vec2(pixel) + 0.5) / kCellPixels - 0.5;
+  bool may_move = ahead_s != 0.0 && texelFetch(flow, pixel / kCellPixels, 0).w != 0.0;
+  vec2 at = (vec2(pixel) + 0.5) / float(kCellPixels) - 0.5;
   ivec2 first = ivec2(floor(at)), last = textureSize(flow, 0) - 1;
   vec2 part = at - vec2(first);
   vec4 sum = vec4(0.0);
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < (may_move ? 4 : 0); ++i) {
     ivec2 beside = ivec2(i & 1, i >> 1);
     vec4 cell = texelFetch(flow, clamp(first + beside, ivec2(0), last), 0);
     vec2 share = mix(1.0 - part, part, vec2(beside));
@@ -28,7 +24,7 @@ vec3 velocity_at(ivec2 pixel, float z) {
 vec3 point_in_view(ivec2 pixel) {
   float z = z_at(pixel);
   vec3 seen_at = vec3(texelFetch(rays, pixel, 0).xy * z, z);
-  if (ahead_s != 0.0) seen_at += ahead_s * velocity_at(pixel, z);
+  seen_at += ahead_s * velocity_at(pixel, z);
   vec3 point = in_view(seen_at);
   return point * (1.0 + setback_m / max(-point.z, 1.0e-3));
 }

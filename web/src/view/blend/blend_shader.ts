@@ -38,12 +38,25 @@ uniform float uEdge_m;       // a surface may rise by this from one corner to th
 uniform float uEdgeSlope;    // and by this for every metre of distance, times the root of the step
 uniform float uSetback_m;    // along the eye's ray
 uniform sampler2D uFlow;     // codec/scene_flow.ts
+uniform bool uMoves;         // uFlow is of the newest picture; else nothing moves in that
 uniform float uAhead_s;      // draws what moves where it is after this time; 0: where it was seen
 
 const vec4 nowhere = vec4(0.0, 0.0, 2.0, 1.0);
 const ivec2 corners[6] = ivec2[6](ivec2(0, 0), ivec2(0, 1), ivec2(1, 0), ivec2(1, 0), ivec2(0, 1), ivec2(1, 1));
 
-bool isForeground(ivec2 corner) { return texelFetch(uBehind_m, corner, 0).r > 0.0; }
+const float kMoves = 0.25;  // m/s; slower could be noise
+
+bool moves(ivec2 corner) {
+  if (!uMoves) return false;
+  vec4 flow = texelFetch(uFlow, corner * uStep / ${flowCell_px}, 0);
+  return abs(texelFetch(uDepth_m, corner, 0).r) < flow.w && length(flow.xyz) > kMoves;
+}
+
+// Before a known background, or moving before an unknown one.
+bool isForeground(ivec2 corner) {
+  float behind = texelFetch(uBehind_m, corner, 0).r;
+  return behind > 0.0 || (behind == 0.0 && moves(corner));
+}
 
 // The grid's cell that this vertex stands on and its depth; 0 where its triangle is not to be drawn.
 ivec2 cell;
@@ -71,6 +84,7 @@ float pulledDepth() {
 
 // As velocity_at in blend_in_view.glsl: between the four cells around the pixel, of those whose surface this is.
 vec3 velocityAt(ivec2 pixel, float z) {
+  if (texelFetch(uFlow, pixel / ${flowCell_px}, 0).w == 0.0) return vec3(0.0);
   vec2 at = (vec2(pixel) + 0.5) / ${flowCell_px}.0 - 0.5;
   ivec2 first = ivec2(floor(at));
   ivec2 last = textureSize(uFlow, 0) - 1;
