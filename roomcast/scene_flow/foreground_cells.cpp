@@ -59,6 +59,7 @@ void ForegroundFinder::find(DepthView depth_mm, CellDepths& cells) {
   ROOMCAST_ASSERT(depth_mm.width == pixels_.width() && depth_mm.height == pixels_.height());
   cells.resize(limits_mm_.width(), limits_mm_.height());
   long readings = 0, foreground = 0;
+  cell_count_ = 0;
   for (int cell_y = 0; cell_y < cells.height(); ++cell_y) {
     for (int cell_x = 0; cell_x < cells.width(); ++cell_x) {
       int sum_mm = 0, limit_mm = kNothing_mm, count = 0;
@@ -78,6 +79,7 @@ void ForegroundFinder::find(DepthView depth_mm, CellDepths& cells) {
         }
       }
       foreground += count;
+      cell_count_ += count >= kMinPixels;
       const bool is_enough = count >= kMinPixels;
       const int mean_mm = is_enough ? sum_mm / count : 0;
       cells.at(cell_x, cell_y) =

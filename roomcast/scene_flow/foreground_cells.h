@@ -35,6 +35,8 @@ class ForegroundFinder {
   /// By cell: surfaces nearer than this, in millimetres, stand before the background everywhere in
   /// the cell.
   [[nodiscard]] const Image<float>& limits_mm() const { return limits_mm_; }
+  /// Cells with foreground in the newest picture.
+  [[nodiscard]] int cell_count() const { return cell_count_; }
   /// Share of the newest picture's readings that are foreground.
   [[nodiscard]] double share() const { return share_; }
 
@@ -48,6 +50,7 @@ class ForegroundFinder {
 
   Image<Pixel> pixels_;
   Image<float> limits_mm_;
+  int cell_count_ = 0;
   double share_ = 0;
 };
 

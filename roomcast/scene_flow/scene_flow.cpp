@@ -32,6 +32,7 @@ void SceneFlow::take(DepthView depth_mm, RoomTime capture_time) {
   field_.resize(newest_.width(), newest_.height());
   is_still_ = true;
   if (passed <= Seconds(0) || passed > kMaxGap || finder_.share() > kMaxShare) return;
+  if (finder_.cell_count() > kMaxForegroundCells) return;
   find_velocities(passed.count());
   for (int i = 0; i < kGrowCells; ++i) grow();
 }

@@ -27,13 +27,17 @@ struct CellFlow {
 };
 using FlowField = Image<CellFlow>;
 
+/// Somebody at 1.5 m fills about 2000 cells of a picture of 512x424.
+inline constexpr int kMaxForegroundCells = 2500;
+
 class SceneFlow {
  public:
   explicit SceneFlow(const CameraIntrinsics& depth);
 
   /// Takes the sensor's next picture, of the lens's size. Nothing moves in the first one, in one
   /// that is not newer than the last or by more than 0.25 s, and while most of what is read is
-  /// foreground, because then the sensor itself was moved.
+  /// foreground, because then the sensor itself was moved; nor while the foreground has more than
+  /// kMaxForegroundCells cells, so that the time is bounded.
   void take(DepthView depth_mm, RoomTime capture_time);
 
   /// In the newest picture. By cells: cells_along() the picture's sides.

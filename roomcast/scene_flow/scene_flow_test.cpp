@@ -110,6 +110,26 @@ TEST_F(BallBeforeWall, what_is_too_fast_is_not_believed) {
   EXPECT_EQ(in_middle().limit_m, 0);
 }
 
+TEST(SceneFlow, nothing_moves_where_it_would_take_too_long_to_say_how) {
+  CameraIntrinsics large = lens();
+  large.width = 1024;
+  large.height = 512;
+  SceneFlow flow(large);
+  DepthImage picture(large.width, large.height, 4000);
+  RoomTime time{};
+  for (int i = 0; i < 10; ++i) flow.take(picture, time += 33ms);
+  const auto show_board = [&](int columns) {
+    for (int y = 0; y < 400; ++y) {
+      for (int x = 0; x < large.width; ++x) picture.at(x, y) = x < columns ? 2000 : 4000;
+    }
+    flow.take(picture, time += 33ms);
+  };
+  for (const int columns : {200, 204}) show_board(columns);  // 50 x 100 cells and more
+  EXPECT_TRUE(flow.is_still());
+  for (const int columns : {80, 84}) show_board(columns);
+  EXPECT_FALSE(flow.is_still());
+}
+
 TEST_F(BallBeforeWall, a_sensor_that_is_moved_shows_nothing_that_moves) {
   take(DepthImage(lens().width, lens().height, 3000), 33ms);
   take(DepthImage(lens().width, lens().height, 2900), 33ms);
