@@ -102,6 +102,9 @@ Result<RealReport> run_real_bench(const std::filesystem::path& rig,
     auto condition = measure_condition(rig, sensor.id);
     if (!condition) return condition.error();
     report.conditions.push_back(*std::move(condition));
+    auto motion = measure_motion(rig, sensor.id);
+    if (!motion) return motion.error();
+    report.motion.push_back(*std::move(motion));
   }
   for (const recording::RigSensorEntry& sensor : description->sensors) {
     if (options.codec_frames == 0) break;

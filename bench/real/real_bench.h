@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // `roomcast bench real`: what roomcast makes of a recording of a real rig, of which nobody knows
 // the truth: which sensors alignment placed, what error it expects and what independent judges say,
-// each sensor's noise and interference, its bytes by codec, and what it sees when it is left out
-// and drawn from the others.
+// each sensor's noise and interference, whether the motion found in it is true, its bytes by codec,
+// and what it sees when it is left out and drawn from the others.
 #pragma once
 
 #include <filesystem>
@@ -13,6 +13,7 @@
 
 #include "bench/codec/codec_bench.h"
 #include "bench/real/left_out_view.h"
+#include "bench/real/motion_forecast.h"
 #include "bench/real/rig_judge.h"
 #include "bench/real/sensor_condition.h"
 #include "roomcast/alignment/rig/alignment_report.h"
@@ -23,7 +24,7 @@ namespace roomcast::bench {
 struct RealBenchOptions {
   int left_out_pictures = 3;  // for each placed sensor; 0: none
   int codec_frames = 300;     // of each sensor; 0: codecs are not measured
-  bool conditions = true;     // measure noise and interference
+  bool conditions = true;     // measure noise and interference, and judge motion
 };
 
 struct SensorBytes {
@@ -36,6 +37,7 @@ struct RealReport {
   alignment::AlignmentReport alignment;
   RigJudgement judgement;
   std::vector<SensorCondition> conditions;
+  std::vector<MotionForecast> motion;
   std::vector<SensorBytes> bytes;
   std::vector<LeftOutPicture> left_out;
   std::string not_drawn;  // why nothing was drawn; empty: it was

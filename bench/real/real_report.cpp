@@ -93,6 +93,13 @@ ordered_json condition_json(const SensorCondition& condition) {
           {"changed", condition.changed}};
 }
 
+ordered_json motion_json(const MotionForecast& motion) {
+  return {{"sensor", motion.sensor},
+          {"moving", motion.moving},
+          {"off_unmoved", motion.off_unmoved},
+          {"off_moved", motion.off_moved}};
+}
+
 ordered_json report_json(const RealReport& report) {
   return {{"rig", report.rig},
           {"source", report.source},
@@ -101,6 +108,7 @@ ordered_json report_json(const RealReport& report) {
           {"known_poses", list_json(report.judgement.known, known_json)},
           {"loops", list_json(report.judgement.loops, loop_json)},
           {"conditions", list_json(report.conditions, condition_json)},
+          {"motion", list_json(report.motion, motion_json)},
           {"bytes", list_json(report.bytes, bytes_json)},
           {"left_out", list_json(report.left_out, picture_json)},
           {"not_drawn", report.not_drawn}};
@@ -145,6 +153,15 @@ void print_condition(const SensorCondition& sensor, std::ostream& out) {
              sensor.interference.noise_ratio);
 }
 
+void print_motion(const MotionForecast& sensor, std::ostream& out) {
+  if (sensor.moving == 0) return;
+  fmt::print(
+      out,
+      "  {:<8} motion: of {} readings that move, the next frame shows {:.1f} % elsewhere by 4 "
+      "cm and more; where motion says they will be, {:.1f} %\n",
+      sensor.sensor, sensor.moving, 100 * sensor.off_unmoved, 100 * sensor.off_moved);
+}
+
 }  // namespace
 
 void print_table(const RealReport& report, std::ostream& out) {
@@ -152,6 +169,7 @@ void print_table(const RealReport& report, std::ostream& out) {
   for (const auto& sensor : report.alignment.sensors) print_sensor(sensor, out);
   print_judgement(report.judgement, out);
   for (const SensorCondition& sensor : report.conditions) print_condition(sensor, out);
+  for (const MotionForecast& sensor : report.motion) print_motion(sensor, out);
   if (!report.bytes.empty()) {
     fmt::print(out, "\n  {:<8} {:<10} {:<11} {:>13} {:>13} {:>8}\n", "sensor", "codec", "mode",
                "depth B/frame", "color B/frame", "MB/s@30");

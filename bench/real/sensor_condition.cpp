@@ -4,14 +4,13 @@
 #include <array>
 #include <cstddef>
 
+#include "bench/real/rig_depth.h"
 #include "roomcast/codec/live/sensor_noise.h"
 #include "roomcast/sensor/interference_filter.h"
-#include "roomcast/sensor/source_factory.h"
 
 namespace roomcast::bench {
 namespace {
 
-constexpr std::size_t kMaxFrames = 64;
 constexpr int kPlayed = 240;       // frames
 constexpr int kWatchedFrom = 120;  // until then the filter learns
 constexpr double kFps = 30;
@@ -86,20 +85,9 @@ SensorCondition condition_of(const std::string& sensor, const std::vector<DepthI
 }
 
 Result<SensorCondition> measure_condition(const std::filesystem::path& rig, const std::string& id) {
-  const auto source = sensor::open_source("rig:" + rig.string() + "#" + id,
-                                          {.pace = source::Pace::kAsFastAsPossible, .loop = false});
-  if (!source) return source.error();
-  std::vector<DepthImage> frames;
-  source::CapturedFrame frame;
-  while (frames.size() < kMaxFrames) {
-    const auto more = (*source)->next(frame, {});
-    if (!more) return more.error();
-    if (!*more) break;
-    frames.push_back(frame.depth_mm);
-  }
-  if (frames.empty())
-    return Error{ErrorCode::kInvalidArgument, "sensor " + id + " of the rig has no frames"};
-  return condition_of(id, frames);
+  const auto depth = read_rig_depth(rig, id);
+  if (!depth) return depth.error();
+  return condition_of(id, depth->frames);
 }
 
 }  // namespace roomcast::bench
