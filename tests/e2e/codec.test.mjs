@@ -24,7 +24,7 @@ function answer(path) {
   if (path === '/') return { contentType: 'text/html', body: '<!doctype html><title>codec</title>' };
   if (path === '/roomcast_codec.wasm') return { contentType: 'application/wasm', body: readFileSync(wasm) };
   if (path.startsWith('/golden/')) return { body: readFileSync(new URL(path.slice(8), golden)) };
-  return { contentType: 'text/javascript', body: typeScript(`web/src${path.replace(/\.ts$/, '')}.ts`) };
+  return { contentType: 'text/javascript', body: typeScript(`web/src${path}`) };
 }
 
 /** Runs in the page. Checksums of depth and mask of every payload; a new decoder begins at each key frame. */
@@ -36,10 +36,7 @@ async function decodeAll(entries) {
   const found = [];
   let decoder;
   for (const { file, width, height, key } of entries) {
-    if (key) {
-      const lens = { width, height, fx: width, fy: width, cx: width / 2, cy: height / 2 };
-      decoder = new PayloadDecoder(await CodecModule.load(wasm), lens);
-    }
+    if (key) decoder = new PayloadDecoder(await CodecModule.load(wasm), width, height);
     const { depth_mm, color } = decoder.decode(await bytes(`/golden/${file}`));
     const depth_crc32 = crc32(new Uint8Array(depth_mm.slice().buffer));
     found.push({ file, depth_crc32, mask_crc32: color && crc32(color.seen) });

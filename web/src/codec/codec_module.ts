@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// roomcast_codec.wasm: decodes depth and colour mask of a payload, locates its VP9 frame, and tells how what it shows moves. The exports are described
+// roomcast_codec.wasm: decodes depth and colour mask of a payload and locates its VP9 frame. The exports are described
 // in web/wasm/README.md, the payload in docs/spec/codec.md. Depth is u16 millimetres, 0 = no reading.
-
-import { flowChannels, flowSize, type FlowLens } from './scene_flow';
 
 interface CodecExports {
   memory: WebAssembly.Memory;
@@ -18,9 +16,6 @@ interface CodecExports {
   decoder_color_is_key(decoder: number): number;
   decoder_error(decoder: number): number;
   decoder_error_length(decoder: number): number;
-  flow_create(width: number, height: number, fx: number, fy: number, cx: number, cy: number): number;
-  flow_destroy(flow: number): void;
-  flow_take(flow: number, depth: number, capture_us: number): number;
 }
 
 const codeUnsupported = 2;
@@ -39,7 +34,6 @@ export class PayloadError extends Error {
 /** Views into the module's memory and the payload; copy them before the next call of the module. */
 export interface DecodedPayload {
   depth_mm: Uint16Array;
-  flow?: Float32Array; // scene_flow.ts; absent while nothing moves
   color?: { vp9: Uint8Array; key: boolean; seen: Uint8Array }; // seen: 255 where the colour is valid
 }
 
@@ -55,51 +49,37 @@ export class CodecModule {
   }
 }
 
-/** One sensor's decoder. The depth grid is 16 to 4096 pixels wide and high. */
+/** One sensor's decoder. `width` x `height` of the depth grid, 16 to 4096 each. */
 export class PayloadDecoder {
   private readonly codec: CodecExports;
   private readonly handle: number;
-  private readonly flow: number;
 
   constructor(
     module: CodecModule,
-    private readonly lens: FlowLens,
+    private readonly width: number,
+    private readonly height: number,
   ) {
     this.codec = module.exports;
-    const { width, height, fx, fy, cx, cy } = lens;
     this.handle = this.codec.decoder_create(width, height);
-    this.flow = this.codec.flow_create(width, height, fx, fy, cx, cy);
     if (this.handle === 0) throw new PayloadError(`A depth grid of ${width}x${height} cannot be decoded.`, false);
   }
 
   destroy(): void {
     this.codec.decoder_destroy(this.handle);
-    this.codec.flow_destroy(this.flow);
   }
 
-
-  /**
-   * With the times at which frames were captured, also tells how what they show moves. Throws PayloadError; the decoder can
-   * continue with any later frame.
-   */
-  decode(payload: Uint8Array, capture_ns?: bigint): DecodedPayload {
+  /** Throws PayloadError; the decoder can continue with any later frame. */
+  decode(payload: Uint8Array): DecodedPayload {
     const { codec, handle } = this;
     const input = codec.decoder_input(handle, payload.length);
     if (input === 0) throw new PayloadError('A frame is longer than any of its size can be.', false);
     new Uint8Array(codec.memory.buffer, input, payload.length).set(payload);
     const code = codec.decoder_decode(handle, payload.length);
     if (code !== 0) throw new PayloadError(this.reason(), code === codeUnsupported);
-    // May grow the module's memory, which ends all views of it.
-    const flow =
-      capture_ns === undefined ? 0 : codec.flow_take(this.flow, codec.decoder_depth(handle), Number(capture_ns / 1000n));
-    const pixels = this.lens.width * this.lens.height;
+    const pixels = this.width * this.height;
     const decoded: DecodedPayload = {
       depth_mm: new Uint16Array(codec.memory.buffer, codec.decoder_depth(handle), pixels),
     };
-    if (flow !== 0) {
-      const cells = flowSize(this.lens);
-      decoded.flow = new Float32Array(codec.memory.buffer, flow, flowChannels * cells.width * cells.height);
-    }
     const mask = codec.decoder_mask(handle);
     if (mask !== 0) {
       const start = codec.decoder_color_offset(handle);

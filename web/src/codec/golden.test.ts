@@ -23,7 +23,6 @@ const reason = built ? '' : ' (skipped: build/wasm/roomcast_codec.wasm is not bu
 const entries = JSON.parse(readFileSync(new URL('frames.json', golden), 'utf8')) as GoldenPayload[];
 
 const read = (name: string) => new Uint8Array(readFileSync(new URL(name, golden)));
-const lens = (width: number, height: number) => ({ width, height, fx: width, fy: width, cx: width / 2, cy: height / 2 });
 const loadCodec = () => CodecModule.load(readFileSync(wasm));
 
 describe.skipIf(!built)(`golden payloads${reason}`, () => {
@@ -32,7 +31,7 @@ describe.skipIf(!built)(`golden payloads${reason}`, () => {
   for (const entry of entries) {
     test(`${entry.file} decodes to the depth, mask and colour of the index`, async () => {
       const payload = read(entry.file);
-      if (entry.key) decoder = new PayloadDecoder(await loadCodec(), lens(entry.width, entry.height));
+      if (entry.key) decoder = new PayloadDecoder(await loadCodec(), entry.width, entry.height);
       const { depth_mm, color } = decoder.decode(payload);
       expect(crc32(new Uint8Array(depth_mm.slice().buffer))).toBe(entry.depth_crc32);
       expect(color === undefined).toBe(entry.mask_crc32 === undefined);
@@ -46,7 +45,7 @@ describe.skipIf(!built)(`golden payloads${reason}`, () => {
 
   test('a payload that is cut is refused with a sentence, and the decoder goes on', async () => {
     const { file, width, height, depth_crc32 } = entries.find((entry) => entry.mask_crc32 !== undefined)!;
-    const decoder = new PayloadDecoder(await loadCodec(), lens(width, height));
+    const decoder = new PayloadDecoder(await loadCodec(), width, height);
     const payload = read(file);
     for (let length = 0; length < payload.length; length += 97) {
       expect(() => decoder.decode(payload.subarray(0, length))).toThrow(PayloadError);
@@ -56,13 +55,13 @@ describe.skipIf(!built)(`golden payloads${reason}`, () => {
   });
 
   test('a payload longer than any frame of its size is refused', async () => {
-    const decoder = new PayloadDecoder(await loadCodec(), lens(16, 16));
+    const decoder = new PayloadDecoder(await loadCodec(), 16, 16);
     expect(() => decoder.decode(new Uint8Array(3 * 16 * 16 + 65536 + 1))).toThrow(/longer than any/);
   });
 
   test('a depth grid of an illegal size is refused', async () => {
     const codec = await loadCodec();
-    expect(() => new PayloadDecoder(codec, lens(15, 16))).toThrow(/15x16/);
-    expect(() => new PayloadDecoder(codec, lens(16, 4097))).toThrow(/16x4097/);
+    expect(() => new PayloadDecoder(codec, 15, 16)).toThrow(/15x16/);
+    expect(() => new PayloadDecoder(codec, 16, 4097)).toThrow(/16x4097/);
   });
 });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's interface to its worker.
 import { problemTexts } from '../texts';
-import { buffersOf } from './protocol';
 import type { Body, FromWorker, Handicap, NewMark, PlaybackCommand, StartOptions, ToWorker, ViewFrame } from './protocol';
 
 export class RoomLink {
@@ -18,7 +17,7 @@ export class RoomLink {
 
   /** The frames have been drawn; returns their pixel buffers. */
   shown(frames: readonly ViewFrame[]): void {
-    const buffers = frames.flatMap(buffersOf);
+    const buffers = frames.flatMap(({ depth_mm, rgba }) => (rgba ? [depth_mm.buffer, rgba.buffer] : [depth_mm.buffer]));
     this.worker.postMessage({ kind: 'shown', buffers } satisfies ToWorker, buffers);
   }
 

@@ -2,7 +2,7 @@
 // Main class of the worker: follows the roster, decodes every sensor's frames, and offers the newest frame sets to the
 // page.
 import type { CodecModule } from '../codec/codec_module';
-import type { Intrinsics, Roster, UnseenSensors } from '../gen/control_pb';
+import type { Roster, UnseenSensors } from '../gen/control_pb';
 import { silence, type HeardPacket, type SpokenPacket } from '../voice/voice_packet';
 import type { AudioHeader } from '../wire/audio_header';
 import { roomRoster } from '../room_roster';
@@ -15,7 +15,6 @@ import { FrameSetAssembly } from './frame_set_assembly';
 import { HubConnection } from './hub_connection';
 import { LateQueue } from './late_queue';
 import {
-  buffersOf,
   pageTime_ms,
   type Body,
   type DecodedRecord,
@@ -164,11 +163,11 @@ export class RoomStream {
       if (!listed.has(id)) this.remove(id, stream);
     }
     for (const { id, calibration } of roster.sensors) {
-      const lens = calibration!.depth!;
+      const { width, height } = calibration!.depth!;
       const stream = this.sensors.get(id);
-      if (stream?.hasLens(lens)) continue;
+      if (stream && stream.grid.width === width && stream.grid.height === height) continue;
       if (stream) this.remove(id, stream);
-      this.add(id, lens);
+      this.add(id, width, height);
     }
     this.post({ kind: 'roster', roster: roomRoster(roster) });
   }
@@ -182,12 +181,12 @@ export class RoomStream {
     this.post({ kind: 'unseen', paused });
   }
 
-  private add(id: number, lens: Intrinsics): void {
+  private add(id: number, width: number, height: number): void {
     const { codec, buffers } = this;
-    const color = this.color && { ...this.color, codedWidth: lens.width, codedHeight: lens.height };
+    const color = this.color && { ...this.color, codedWidth: width, codedHeight: height };
     const stream = new SensorStream(
       id,
-      lens,
+      { width, height },
       { codec: codec!, color, buffers },
       {
         decoded: (header, depth_mm) => this.options!.record && this.record(header, depth_mm),
@@ -242,12 +241,13 @@ export class RoomStream {
   }
 
   private sendFrames(setId: bigint, frames: ViewFrame[]): void {
-    const pixels = frames.flatMap(buffersOf);
+    const pixels = frames.flatMap(({ depth_mm, rgba }) => (rgba ? [depth_mm.buffer, rgba.buffer] : [depth_mm.buffer]));
     this.post({ kind: 'frames', setId, frames, decodedAt_ms: pageTime_ms() }, pixels);
   }
 
   private recycle(frame: ViewFrame): void {
-    buffersOf(frame).forEach((buffer) => this.buffers.giveBack(buffer));
+    this.buffers.giveBack(frame.depth_mm.buffer);
+    if (frame.rgba) this.buffers.giveBack(frame.rgba.buffer);
   }
 
   private reportStatus(hub: RoomSource): void {

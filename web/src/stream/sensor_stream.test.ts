@@ -89,7 +89,7 @@ async function streamWith(color: boolean): Promise<SensorStream> {
   const config = color ? { codec: 'vp09.00.10.08', codedWidth: grid.width, codedHeight: grid.height } : undefined;
   return new SensorStream(
     5,
-    { ...grid, fx: 60, fy: 60, cx: 37, cy: 25 },
+    grid,
     { codec, color: config, buffers: new BufferPool() },
     {
       decoded: () => {},

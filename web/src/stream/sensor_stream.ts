@@ -5,11 +5,10 @@
 import { rgbaFromYcbcr, type YcbcrPlanes } from '../codec/color_conversion';
 import { ColorDecoder } from '../codec/color_decoder';
 import { PayloadDecoder, PayloadError, type CodecModule, type DecodedPayload } from '../codec/codec_module';
-import type { FlowLens } from '../codec/scene_flow';
 import { unknownClockError_us, type FrameHeader } from '../wire/frame_header';
 import type { BufferPool } from './buffer_pool';
 import { FrameChain } from './frame_chain';
-import { buffersOf, type SensorTraffic, type ViewFrame } from './protocol';
+import type { SensorTraffic, ViewFrame } from './protocol';
 
 export interface SensorStreamEvents {
   /** `depth_mm` is valid during the call. */
@@ -25,13 +24,17 @@ export interface SensorStreamParts {
   buffers: BufferPool;
 }
 
+interface Grid {
+  width: number;
+  height: number;
+}
+
 interface AwaitsColor {
   frame: ViewFrame;
   seen: Uint8Array<ArrayBuffer>;
 }
 
 const codecSections = 1;
-const lensFields = ['width', 'height', 'fx', 'fy', 'cx', 'cy'] as const;
 
 export class SensorStream {
   readonly traffic: SensorTraffic;
@@ -45,11 +48,11 @@ export class SensorStream {
 
   constructor(
     readonly sensor: number,
-    private readonly lens: FlowLens,
+    readonly grid: Grid,
     private readonly parts: SensorStreamParts,
     private readonly events: SensorStreamEvents,
   ) {
-    this.payloads = new PayloadDecoder(parts.codec, lens);
+    this.payloads = new PayloadDecoder(parts.codec, grid.width, grid.height);
     this.traffic = {
       sensor,
       frames: 0,
@@ -74,7 +77,7 @@ export class SensorStream {
     if (!this.chain.mayDecode(header)) return isHidden ? undefined : this.skip(header);
     let decoded: DecodedPayload;
     try {
-      decoded = this.decode(header, payload, isHidden);
+      decoded = this.decode(header, payload);
     } catch (error) {
       if (!(error instanceof PayloadError)) throw error;
       return this.giveUp(header, error.message, isHidden);
@@ -112,15 +115,10 @@ export class SensorStream {
     this.payloads.destroy();
   }
 
-  /** False: another sensor has taken this one's place. */
-  hasLens(lens: FlowLens): boolean {
-    return lensFields.every((field) => this.lens[field] === lens[field]);
-  }
-
-  private decode(header: FrameHeader, payload: Uint8Array, isHidden: boolean): DecodedPayload {
+  private decode(header: FrameHeader, payload: Uint8Array): DecodedPayload {
     if (header.codec !== codecSections)
       throw new PayloadError(`Codec ${header.codec} is not known to this page.`, true);
-    return this.payloads.decode(payload, isHidden ? undefined : header.capture_ns);
+    return this.payloads.decode(payload);
   }
 
   private skip(header: FrameHeader): void {
@@ -159,26 +157,16 @@ export class SensorStream {
     const depth_mm = new Uint16Array(this.parts.buffers.take(decoded.depth_mm.byteLength));
     depth_mm.set(decoded.depth_mm);
     const { clockError_us } = header;
-    const { width, height } = this.lens;
     return {
       sensor: this.sensor,
       seq: header.seq,
       setId: header.setId,
       capture_ms: Number(header.capture_ns) / 1e6,
       captureError_ms: clockError_us === unknownClockError_us ? undefined : clockError_us / 1000,
-      width,
-      height,
+      ...this.grid,
       depth_mm,
-      flow: this.copyOf(decoded.flow),
       rgba: undefined,
     };
-  }
-
-  private copyOf(flow: Float32Array | undefined): Float32Array<ArrayBuffer> | undefined {
-    if (!flow) return undefined;
-    const copy = new Float32Array(this.parts.buffers.take(flow.byteLength));
-    copy.set(flow);
-    return copy;
   }
 
   private settleOrDecodeColor(frame: ViewFrame, { color }: DecodedPayload): void {
@@ -232,7 +220,7 @@ export class SensorStream {
   private dropAwaited(areShown: boolean): void {
     for (const { frame, seen } of this.awaitsColor.values()) {
       this.parts.buffers.giveBack(seen.buffer);
-      if (!areShown) buffersOf(frame).forEach((buffer) => this.parts.buffers.giveBack(buffer));
+      if (!areShown) this.parts.buffers.giveBack(frame.depth_mm.buffer);
       this.events.settled(frame.setId, areShown ? frame : undefined);
     }
     this.awaitsColor.clear();

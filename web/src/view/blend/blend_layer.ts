@@ -9,7 +9,7 @@ import type { BackgroundModel } from './background_model';
 const exponent = 4; // weight of directions: higher is sharper, lower hides seams
 
 /**
- * `backs`: of what is before a known background or moves before an unknown one, such as a person: seen where no sensor sees the near side, for example a leg's
+ * `backs`: of what is before a known background, such as a person: seen where no sensor sees the near side, for example a leg's
  * side between the sensors in front of and behind it. Without them one sees through the leg.
  */
 export type LayerKind = 'live' | 'backs' | 'background';
@@ -33,7 +33,7 @@ export class BlendLayer {
     private readonly memory: BackgroundModel,
     private readonly kind: LayerKind,
   ) {
-    const { lens, rays, flow } = memory.sensor;
+    const { lens, rays } = memory.sensor;
     this.uniforms = {
       uDepth_m: { value: null },
       uQuality: { value: null },
@@ -42,9 +42,6 @@ export class BlendLayer {
       uEdge_m: { value: edge_m },
       uEdgeSlope: { value: edgeSlope },
       uSetback_m: { value: setback_m[kind] },
-      uFlow: { value: flow },
-      uMoves: { value: false },
-      uAhead_s: { value: 0 },
       uBehind_m: { value: null },
       uForegroundOnly: { value: kind === 'backs' },
       uIsBackground: { value: kind === 'background' },
@@ -87,13 +84,6 @@ export class BlendLayer {
       mesh.matrix.copy(worldFromDepth);
       mesh.matrixWorldNeedsUpdate = true;
     }
-  }
-
-  /** Takes over how things move in the newest picture, and draws them where they are this much later. */
-  setAhead(ahead_s: number): void {
-    const { moves } = this.memory.sensor;
-    this.uniforms.uMoves!.value = moves;
-    this.uniforms.uAhead_s!.value = this.kind === 'background' || !moves ? 0 : ahead_s;
   }
 
   /** Takes over the memory's current textures. */

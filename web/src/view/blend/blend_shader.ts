@@ -2,7 +2,6 @@
 // Blends the surfaces of several sensors: those within about 2 cm + 1.2 % of the nearest, weighted by the quality of
 // the measurement and by the similarity of the sensor's and the eye's directions (Buehler et al. 2001, unstructured
 // lumigraph rendering). The same rules as roomcast/render/shaders/blend (nearest, mix, shrink, grow, resolve).
-import { flowCell_px } from '../../codec/scene_flow';
 import { passPrecision } from './full_screen_pass';
 
 // Surfaces this close to the nearest one are blended with it.
@@ -37,26 +36,11 @@ uniform int uStep;
 uniform float uEdge_m;       // a surface may rise by this from one corner to the next,
 uniform float uEdgeSlope;    // and by this for every metre of distance, times the root of the step
 uniform float uSetback_m;    // along the eye's ray
-uniform sampler2D uFlow;     // codec/scene_flow.ts
-uniform bool uMoves;         // uFlow is of the newest picture; else nothing moves in that
-uniform float uAhead_s;      // draws what moves where it is after this time; 0: where it was seen
 
 const vec4 nowhere = vec4(0.0, 0.0, 2.0, 1.0);
 const ivec2 corners[6] = ivec2[6](ivec2(0, 0), ivec2(0, 1), ivec2(1, 0), ivec2(1, 0), ivec2(0, 1), ivec2(1, 1));
 
-const float kMoves = 0.25;  // m/s; slower could be noise
-
-bool moves(ivec2 corner) {
-  if (!uMoves) return false;
-  vec4 flow = texelFetch(uFlow, corner * uStep / ${flowCell_px}, 0);
-  return abs(texelFetch(uDepth_m, corner, 0).r) < flow.w && length(flow.xyz) > kMoves;
-}
-
-// Before a known background, or moving before an unknown one.
-bool isForeground(ivec2 corner) {
-  float behind = texelFetch(uBehind_m, corner, 0).r;
-  return behind > 0.0 || (behind == 0.0 && moves(corner));
-}
+bool isForeground(ivec2 corner) { return texelFetch(uBehind_m, corner, 0).r > 0.0; }
 
 // The grid's cell that this vertex stands on and its depth; 0 where its triangle is not to be drawn.
 ivec2 cell;
@@ -82,27 +66,9 @@ float pulledDepth() {
   return z[corner - first];
 }
 
-// As velocity_at in blend_in_view.glsl: between the four cells around the pixel, of those whose surface this is.
-vec3 velocityAt(ivec2 pixel, float z) {
-  if (texelFetch(uFlow, pixel / ${flowCell_px}, 0).w == 0.0) return vec3(0.0);
-  vec2 at = (vec2(pixel) + 0.5) / ${flowCell_px}.0 - 0.5;
-  ivec2 first = ivec2(floor(at));
-  ivec2 last = textureSize(uFlow, 0) - 1;
-  vec2 part = at - vec2(first);
-  vec4 sum = vec4(0.0);
-  for (int i = 0; i < 4; ++i) {
-    ivec2 beside = ivec2(i & 1, i >> 1);
-    vec4 flow = texelFetch(uFlow, clamp(first + beside, ivec2(0), last), 0);
-    vec2 share = mix(1.0 - part, part, vec2(beside));
-    if (z < flow.w) sum += vec4(flow.xyz, 1.0) * share.x * share.y;
-  }
-  return sum.a > 0.0 ? sum.xyz / sum.a : vec3(0.0);
-}
-
 vec3 pointInView(float z) {
-  vec3 seenAt = vec3(texelFetch(uRays, cell * uStep, 0).rg * z, z);
-  if (uAhead_s != 0.0) seenAt += uAhead_s * velocityAt(cell * uStep, z);
-  vec3 point = (modelViewMatrix * vec4(seenAt, 1.0)).xyz;
+  vec2 ray = texelFetch(uRays, cell * uStep, 0).rg;
+  vec3 point = (modelViewMatrix * vec4(ray * z, z, 1.0)).xyz;
   return point * (1.0 + uSetback_m / max(-point.z, 1.0e-3));
 }
 `;
