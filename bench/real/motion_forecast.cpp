@@ -3,8 +3,8 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 
-#include "bench/real/rig_depth.h"
 #include "roomcast/scene_flow/scene_flow.h"
 
 namespace roomcast::bench {
@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 constexpr nanoseconds kApart = 100ms;  // any distance: motion is carried on by the same
 constexpr float kMinMoved_m = 0.015F;  // less could be noise
-constexpr float kApart_s = 0.1F;
+constexpr float kApart_s = std::chrono::duration<float>(kApart).count();
 
 /// How often the next frame reads a place, and how often it reads something else there.
 struct Readings {
@@ -77,12 +77,6 @@ MotionForecast forecast_motion(const std::string& sensor, const CameraIntrinsics
   forecast.off_unmoved = unmoved.share_off();
   forecast.off_moved = moved.share_off();
   return forecast;
-}
-
-Result<MotionForecast> measure_motion(const std::filesystem::path& rig, const std::string& id) {
-  auto depth = read_rig_depth(rig, id);
-  if (!depth) return depth.error();
-  return forecast_motion(id, depth->lens, depth->frames);
 }
 
 }  // namespace roomcast::bench

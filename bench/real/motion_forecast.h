@@ -5,12 +5,10 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "roomcast/core/image.h"
-#include "roomcast/core/result.h"
 #include "roomcast/geometry/camera_model.h"
 
 namespace roomcast::bench {
@@ -32,10 +30,5 @@ struct MotionForecast {
 [[nodiscard]] MotionForecast forecast_motion(const std::string& sensor,
                                              const CameraIntrinsics& depth,
                                              const std::vector<DepthImage>& frames);
-
-/// Reads up to 64 frames of sensor `id` of a rig. Errors of its files; kInvalidArgument without a
-/// frame.
-[[nodiscard]] Result<MotionForecast> measure_motion(const std::filesystem::path& rig,
-                                                    const std::string& id);
 
 }  // namespace roomcast::bench

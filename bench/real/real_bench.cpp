@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "bench/codec/bench_input.h"
+#include "bench/real/rig_depth.h"
 #include "roomcast/recording/dataset/rig_json.h"
 #include "roomcast/render/gl/gl_context.h"
 
@@ -98,13 +99,11 @@ Result<RealReport> run_real_bench(const std::filesystem::path& rig,
   report.judgement = *std::move(judgement);
   for (const recording::RigSensorEntry& sensor : description->sensors) {
     if (!options.conditions) break;
-    if (progress) progress(sensor.id + ": noise and interference");
-    auto condition = measure_condition(rig, sensor.id);
-    if (!condition) return condition.error();
-    report.conditions.push_back(*std::move(condition));
-    auto motion = measure_motion(rig, sensor.id);
-    if (!motion) return motion.error();
-    report.motion.push_back(*std::move(motion));
+    if (progress) progress(sensor.id + ": noise, interference and motion");
+    const auto depth = read_rig_depth(rig, sensor.id);
+    if (!depth) return depth.error();
+    report.conditions.push_back(condition_of(sensor.id, depth->frames));
+    report.motion.push_back(forecast_motion(sensor.id, depth->lens, depth->frames));
   }
   for (const recording::RigSensorEntry& sensor : description->sensors) {
     if (options.codec_frames == 0) break;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 
-#include "bench/real/rig_depth.h"
 #include "roomcast/codec/live/sensor_noise.h"
 #include "roomcast/sensor/interference_filter.h"
 
@@ -82,12 +81,6 @@ SensorCondition condition_of(const std::string& sensor, const std::vector<DepthI
     condition.changed = differences.changed / differences.readings;
   }
   return condition;
-}
-
-Result<SensorCondition> measure_condition(const std::filesystem::path& rig, const std::string& id) {
-  const auto depth = read_rig_depth(rig, id);
-  if (!depth) return depth.error();
-  return condition_of(id, depth->frames);
 }
 
 }  // namespace roomcast::bench

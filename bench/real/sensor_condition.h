@@ -5,13 +5,10 @@
 // 30 frames/s, because those of rigs last a second or so. Single-threaded.
 #pragma once
 
-#include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "roomcast/core/image.h"
-#include "roomcast/core/result.h"
 #include "roomcast/sensor/interference_meter.h"
 
 namespace roomcast::bench {
@@ -34,10 +31,5 @@ struct SensorCondition {
 /// `frames` of a fixed sensor, of one size, in their order; at least one.
 [[nodiscard]] SensorCondition condition_of(const std::string& sensor,
                                            const std::vector<DepthImage>& frames);
-
-/// Reads up to 64 frames of sensor `id` of a rig. Errors of its files; kInvalidArgument without a
-/// frame.
-[[nodiscard]] Result<SensorCondition> measure_condition(const std::filesystem::path& rig,
-                                                        const std::string& id);
 
 }  // namespace roomcast::bench

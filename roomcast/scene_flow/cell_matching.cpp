@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
-#include <utility>
 
 #include "roomcast/core/assert.h"
 #include "roomcast/scene_flow/window_fit.h"

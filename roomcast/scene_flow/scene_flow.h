@@ -18,7 +18,7 @@
 
 namespace roomcast::scene_flow {
 
-/// What moves in one cell of a depth picture, kCellPixels wide and high.
+/// The motion of the foreground in one cell of a depth picture, kCellPixels wide and high.
 struct CellFlow {
   /// Metres per second, in the sensor's frame (x right, y down, z forward).
   Eigen::Vector3f velocity = Eigen::Vector3f::Zero();
@@ -27,7 +27,7 @@ struct CellFlow {
 };
 using FlowField = Image<CellFlow>;
 
-/// Somebody at 1.5 m fills about 2000 cells of a picture of 512x424.
+/// A person at 1.5 m fills about 2000 cells of a picture of 512x424.
 inline constexpr int kMaxForegroundCells = 2500;
 
 class SceneFlow {

@@ -16,7 +16,7 @@ constexpr int kStride = 24, kFitRows = 16;
 
 using Cells = std::vector<std::int16_t>;
 
-/// What fit() computes, cell by cell.
+/// Computes the same as fit(), one cell after the other.
 template <int kReach>
 WindowFit plain_fit(const std::int16_t* here, const std::int16_t* there) {
   int both = 0, any = 0, sum = 0;

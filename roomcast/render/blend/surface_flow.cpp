@@ -29,7 +29,7 @@ void SurfaceFlow::take(DepthView depth_mm, std::optional<RoomTime> capture_time)
 }
 
 float SurfaceFlow::ahead_s(std::optional<RoomTime> instant) const {
-  if (!instant || !time_) return 0;
+  if (!instant || !time_ || flow_.is_still()) return 0;
   const nanoseconds ahead = std::clamp(*instant - *time_, -kMaxAhead, kMaxAhead);
   return std::chrono::duration<float>(ahead).count();
 }

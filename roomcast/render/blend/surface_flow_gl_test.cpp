@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves, drawn at an instant.
+// Tests that what moves is drawn where it is at the chosen instant.
 #include <chrono>
 #include <optional>
 
