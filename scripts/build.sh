@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# Builds the three parts: native programs, the wasm decoder, the page. Sourced after steps.sh.
+# Builds the three parts: native programs, the wasm modules, the page. Sourced after steps.sh.
 
 readonly kib_per_job=$((1536 * 1024))  # memory that one compiler may need
 
@@ -42,7 +42,7 @@ install_web_packages() {
 page_is_up_to_date() {
   local page=$root/build/web/index.html newer
   [[ -f $page ]] || return 1
-  newer=$(find "$root/web" "$root/roomcast/wire/control.proto" "$root/build/wasm/roomcast_codec.wasm" \
+  newer=$(find "$root/web" "$root/roomcast/wire/control.proto" "$root"/build/wasm/*.wasm \
     -name node_modules -prune -o -newer "$page" -print -quit)
   [[ -z $newer ]] || return 1
 }
@@ -56,7 +56,7 @@ build_web() {
   npm run build
 }
 
-# The page with all that it needs: the depth decoder and the npm packages.
+# The page with all that it needs: the wasm modules and the npm packages.
 build_page() {
   build_preset wasm
   install_web_packages

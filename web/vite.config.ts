@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page: one index.html, scripts with hashed names, and the depth decoder that CMake's preset `wasm` has built.
+// The page: one index.html, scripts with hashed names, and the modules that CMake's preset `wasm` has built.
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -8,16 +8,16 @@ import { type Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
 
 const built = (name: string) => fileURLToPath(new URL(`../build/wasm/${name}.wasm`, import.meta.url));
-const codecNames = ['roomcast_codec', 'roomcast_codec_plain'];
-export const codecs = codecNames.map((name) => ({ find: new RegExp(`^${name}\\.wasm`), replacement: built(name) }));
+const moduleNames = ['roomcast_codec', 'roomcast_codec_plain', 'roomcast_flow', 'roomcast_flow_plain'];
+export const wasmModules = moduleNames.map((name) => ({ find: new RegExp(`^${name}\\.wasm`), replacement: built(name) }));
 
 /** Fails with a sentence, where the bundler would only say that an import could not be resolved. */
-function requireCodec(): Plugin {
+function requireModules(): Plugin {
   return {
-    name: 'roomcast-require-codec',
+    name: 'roomcast-require-modules',
     apply: 'build',
     buildStart() {
-      const absent = codecNames.find((name) => !existsSync(built(name)));
+      const absent = moduleNames.find((name) => !existsSync(built(name)));
       if (!absent) return;
       this.error(
         `build/wasm/${absent}.wasm is not built; run \`cmake --preset wasm && cmake --build --preset wasm\` first.`,
@@ -44,8 +44,8 @@ function compress(): Plugin {
 
 export default defineConfig({
   base: './',
-  plugins: [requireCodec(), compress()],
-  resolve: { alias: codecs },
+  plugins: [requireModules(), compress()],
+  resolve: { alias: wasmModules },
   worker: { format: 'es' },
   build: {
     outDir: '../build/web',

@@ -5,7 +5,7 @@ import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { defineConfig, type Plugin } from 'vite';
-import { codecs } from './vite.config';
+import { wasmModules } from './vite.config';
 
 const from = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 const packaged = ['package.json', 'README.md', 'roomcast-view.d.ts', 'room-layer.d.ts'];
@@ -26,7 +26,7 @@ function completePackage(): Plugin {
 export default defineConfig({
   base: './',
   plugins: [completePackage()],
-  resolve: { alias: codecs },
+  resolve: { alias: wasmModules },
   worker: { format: 'es' },
   build: {
     outDir: '../build/roomcast-view',

@@ -19,20 +19,22 @@ async function makeRoom() {
   const camera = new THREE.PerspectiveCamera(40, width / height, 0.05, 100);
   camera.updateMatrixWorld();
   const at = (x) => [1, 0, 0, x, 0, -1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1]; // y down, z forward -> the world
-  const place = (...xs) => {
-    const sensors = xs.map((x, id) => ({
+  const opposite = [-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, -3, 0, 0, 0, 1]; // 3 m in front of the eye, and looks back at it
+  const place = (...xs) => placeAt(...xs.map(at));
+  const placeAt = (...poses) => {
+    const sensors = poses.map((worldFromDepth, id) => ({
       id,
       name: `s${id}`,
       online: true,
       calibration: { depth: lens },
-      pose: { worldFromDepth: at(x), source: 'given', state: 'valid', expectedErrorMm: 0, note: '' },
+      pose: { worldFromDepth, source: 'given', state: 'valid', expectedErrorMm: 0, note: '' },
     }));
     room.follow({ sensors, viewers: [] }, -1);
     room.setMode('blend');
     room.setQuality(qualities[0], camera.position, 60);
   };
   /** `pixelOf(u, v)` gives [depth_mm, r, g, b]. */
-  const see = (sensor, pixelOf, capture_ms = undefined) => {
+  const see = (sensor, pixelOf, capture_ms = undefined, flow = undefined) => {
     const depth_mm = new Uint16Array(width * height);
     const rgba = new Uint8Array(4 * width * height);
     for (let i = 0; i < depth_mm.length; i++) {
@@ -40,7 +42,7 @@ async function makeRoom() {
       depth_mm[i] = depth;
       rgba.set([...color, depth > 0 ? 255 : 0], 4 * i); // pixels without a reading have an arbitrary colour
     }
-    room.show([{ sensor, width, height, depth_mm, rgba, capture_ms }]);
+    room.show([{ sensor, width, height, depth_mm, flow, rgba, capture_ms }]);
     draw();
   };
   const size = 96;
@@ -49,6 +51,12 @@ async function makeRoom() {
     renderer.setRenderTarget(target);
     room.render(camera, size, size);
     renderer.setRenderTarget(null);
+  };
+  /** All that is nearer than 2 m moves to the right. */
+  const rightwards = (metresPerSecond) => {
+    const flow = new Float32Array(4 * (width / 4) * (height / 4));
+    for (let cell = 0; cell < flow.length; cell += 4) flow.set([metresPerSecond, 0, 0, 2], cell);
+    return flow;
   };
   /** The colour in the middle of the picture, or `right` pixels to the right of it. */
   const middle = (right = 0) => {
@@ -60,7 +68,7 @@ async function makeRoom() {
   const inBox = (u, v) => Math.abs(u - 31.5) < 8 && Math.abs(v - 23.5) < 8;
   const take = (model) => room.model.take(model);
   const setMode = (mode) => room.setMode(mode);
-  window.room = { place, see, middle, take, setMode, inBox, red: [200, 20, 20], green: [20, 200, 20], blue: [20, 20, 200] };
+  window.room = { place, placeAt, opposite, see, rightwards, middle, take, setMode, inBox, red: [200, 20, 20], green: [20, 200, 20], blue: [20, 20, 200] };
 }
 
 const isNear = (color, wanted) => wanted.every((value, i) => Math.abs(color[i] - value) < 25);
@@ -132,6 +140,47 @@ describe('blended surfaces', () => {
     assert.ok(isNear(colors.inTime, boxColor) && isNear(colors.early, boxColor), JSON.stringify(colors));
     assert.ok(isNear(colors.late, wallColor), JSON.stringify(colors));
     assert.ok(isNear(colors.again, boxColor), JSON.stringify(colors));
+    assert.deepEqual(page.complaints, []);
+  });
+
+  test('what moves is drawn where it is between the pictures of two sensors', slow, async (t) => {
+    await freshRoom(t);
+    const colors = await page.evaluate(() => {
+      const { place, see, rightwards, middle, inBox, red, green } = window.room;
+      place(0, 0.01);
+      const box = (u, v) => (inBox(u, v) ? [1500, ...green] : [3000, ...red]);
+      for (let i = 0; i < 10; i++) see(0, () => [3000, ...red], 100 * i);
+      const beside = 22; // pixels of the picture: right of the box, which is about 34 wide
+      see(0, box, 1000, rightwards(6));
+      const seen = [middle(), middle(beside)];
+      see(1, () => [0, ...red], 1080); // sees nothing, 80 ms later: the box is 24 cm farther, about 20 pixels
+      const later = [middle(-14), middle(beside)];
+      see(0, box, 1080);
+      return { seen, later, still: [middle(), middle(beside)] };
+    });
+    const [boxColor, wallColor] = [[20, 200, 20], [200, 20, 20]];
+    const areNear = (found, wanted) => assert.ok(found.every((color, i) => isNear(color, wanted[i])), JSON.stringify(colors));
+    areNear(colors.seen, [boxColor, wallColor]);
+    areNear(colors.later, [wallColor, boxColor]);
+    areNear(colors.still, [boxColor, wallColor]);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  test('the back of what moves is seen although nothing is known of what is behind it', slow, async (t) => {
+    await freshRoom(t);
+    const colors = await page.evaluate(() => {
+      const { placeAt, opposite, see, rightwards, middle, inBox, green } = window.room;
+      placeAt(opposite);
+      const box = (u, v) => (inBox(u, v) ? [1500, ...green] : [0, 0, 0, 0]);
+      for (let i = 0; i < 3; i++) see(0, box, 100 * i);
+      const still = middle();
+      see(0, box, 300, rightwards(0.1));
+      const slow = middle();
+      see(0, box, 400, rightwards(1));
+      return { still, slow, moving: middle() };
+    });
+    assert.ok(isNear(colors.moving, [20, 200, 20]), JSON.stringify(colors));
+    assert.ok(!isNear(colors.still, [20, 200, 20]) && !isNear(colors.slow, [20, 200, 20]), JSON.stringify(colors));
     assert.deepEqual(page.complaints, []);
   });
 

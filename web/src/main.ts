@@ -38,6 +38,7 @@ import { darkBackground, lightBackground } from './view/room_scene';
 import { Stage } from './view/stage';
 import { keptFragment } from './view/view_address';
 import { hearingObstacle, soundSupport } from './voice/obstacle';
+import { WantedMotion } from './wanted_motion';
 import type { Headset } from './xr/headset';
 import { SheetHolder } from './xr/board_sheet';
 import { browsersXr, headsetOffer } from './xr/offer';
@@ -73,6 +74,7 @@ class Page {
     failed: () => this.breakDown(problemTexts.noPlayback),
   });
   private readonly model = new LazyModel(() => this);
+  private readonly motion = new WantedMotion((isWanted) => this.link.motion(isWanted));
   private readonly nudges = new SensorNudges();
   private readonly places = new RoomPlaces(browserStorage.store, () => this);
   private company: ViewerEntry[] = []; // who plays the same recording
@@ -345,6 +347,7 @@ class Page {
     this.link.shown(frames);
     this.playback.drawn(frames);
     this.model.drawn();
+    this.motion.drawn(this.stage.room.drawing, performance.now());
   }
 
   private refresh(now_ms: number, frame: XRFrame | undefined): void {

@@ -14,7 +14,13 @@ export interface ViewFrame {
   width: number;
   height: number;
   depth_mm: Uint16Array<ArrayBuffer>; // 0 = no reading
+  flow: Float32Array<ArrayBuffer> | undefined; // how it moves, by cells (codec/scene_flow.ts); undefined while nothing does, or nobody wants it
   rgba: Uint8Array<ArrayBuffer> | undefined; // alpha 255 where the colour camera saw the surface, else 0; undefined without colour
+}
+
+/** The buffers that hold the frame's pixels. */
+export function buffersOf({ depth_mm, flow, rgba }: ViewFrame): ArrayBuffer[] {
+  return [depth_mm, flow, rgba].flatMap((pixels) => (pixels ? [pixels.buffer] : []));
 }
 
 export type ConnectionPhase = 'connecting' | 'joined' | 'waiting';
@@ -147,6 +153,7 @@ export type ToWorker =
   | { kind: 'playback'; command: PlaybackCommand }
   | { kind: 'handicap'; handicap: Handicap }
   | { kind: 'rename'; name: string } // joins again
+  | { kind: 'motion'; isWanted: boolean } // frames are to come with their flow
   | { kind: 'stats'; lastSetId: bigint; shownFps: number; latency_ms: number };
 
 /** A Pose without the fields added by Protobuf. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's interface to its worker.
 import { problemTexts } from '../texts';
+import { buffersOf } from './protocol';
 import type { Body, FromWorker, Handicap, NewMark, PlaybackCommand, StartOptions, ToWorker, ViewFrame } from './protocol';
 
 export class RoomLink {
@@ -17,7 +18,7 @@ export class RoomLink {
 
   /** The frames have been drawn; returns their pixel buffers. */
   shown(frames: readonly ViewFrame[]): void {
-    const buffers = frames.flatMap(({ depth_mm, rgba }) => (rgba ? [depth_mm.buffer, rgba.buffer] : [depth_mm.buffer]));
+    const buffers = frames.flatMap(buffersOf);
     this.worker.postMessage({ kind: 'shown', buffers } satisfies ToWorker, buffers);
   }
 
@@ -59,6 +60,11 @@ export class RoomLink {
   /** Joins the room again under another name. */
   rename(name: string): void {
     this.tell({ kind: 'rename', name });
+  }
+
+  /** Whether frames are to come with their flow. */
+  motion(isWanted: boolean): void {
+    this.tell({ kind: 'motion', isWanted });
   }
 
   stats(lastSetId: bigint, shownFps: number, latency_ms: number): void {

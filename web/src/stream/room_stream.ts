@@ -2,7 +2,7 @@
 // Main class of the worker: follows the roster, decodes every sensor's frames, and offers the newest frame sets to the
 // page.
 import type { CodecModule } from '../codec/codec_module';
-import type { Roster, UnseenSensors } from '../gen/control_pb';
+import type { Intrinsics, Roster, UnseenSensors } from '../gen/control_pb';
 import { silence, type HeardPacket, type SpokenPacket } from '../voice/voice_packet';
 import type { AudioHeader } from '../wire/audio_header';
 import { roomRoster } from '../room_roster';
@@ -14,7 +14,9 @@ import { FrameMailbox } from './frame_mailbox';
 import { FrameSetAssembly } from './frame_set_assembly';
 import { HubConnection } from './hub_connection';
 import { LateQueue } from './late_queue';
+import { MotionFinder } from './motion_finder';
 import {
+  buffersOf,
   pageTime_ms,
   type Body,
   type DecodedRecord,
@@ -53,6 +55,7 @@ export class RoomStream {
   private voice: MessagePort | undefined;
   private hasSpoken = false; // the page knows that audio comes
   private readonly late = new LateQueue();
+  private readonly motion = new MotionFinder();
   private readonly pace = new SetPace();
 
   constructor(private readonly post: Post) {}
@@ -92,6 +95,8 @@ export class RoomStream {
         return this.pace.set(message.handicap.fps);
       case 'rename':
         return this.hub?.rename(message.name);
+      case 'motion':
+        return this.motion.want(message.isWanted);
       case 'stats': {
         const { lastSetId, shownFps, latency_ms } = message;
         return this.hub?.send({ case: 'viewerStats', value: { lastSetId, shownFps, latencyMs: latency_ms } });
@@ -163,11 +168,11 @@ export class RoomStream {
       if (!listed.has(id)) this.remove(id, stream);
     }
     for (const { id, calibration } of roster.sensors) {
-      const { width, height } = calibration!.depth!;
+      const lens = calibration!.depth!;
       const stream = this.sensors.get(id);
-      if (stream && stream.grid.width === width && stream.grid.height === height) continue;
+      if (stream?.hasLens(lens)) continue;
       if (stream) this.remove(id, stream);
-      this.add(id, width, height);
+      this.add(id, lens);
     }
     this.post({ kind: 'roster', roster: roomRoster(roster) });
   }
@@ -181,13 +186,13 @@ export class RoomStream {
     this.post({ kind: 'unseen', paused });
   }
 
-  private add(id: number, width: number, height: number): void {
-    const { codec, buffers } = this;
-    const color = this.color && { ...this.color, codedWidth: width, codedHeight: height };
+  private add(id: number, lens: Intrinsics): void {
+    const { codec, buffers, motion } = this;
+    const color = this.color && { ...this.color, codedWidth: lens.width, codedHeight: lens.height };
     const stream = new SensorStream(
       id,
-      { width, height },
-      { codec: codec!, color, buffers },
+      lens,
+      { codec: codec!, color, buffers, motion },
       {
         decoded: (header, depth_mm) => this.options!.record && this.record(header, depth_mm),
         settled: (setId, frame) => this.sets.settle(setId, frame),
@@ -241,13 +246,12 @@ export class RoomStream {
   }
 
   private sendFrames(setId: bigint, frames: ViewFrame[]): void {
-    const pixels = frames.flatMap(({ depth_mm, rgba }) => (rgba ? [depth_mm.buffer, rgba.buffer] : [depth_mm.buffer]));
+    const pixels = frames.flatMap(buffersOf);
     this.post({ kind: 'frames', setId, frames, decodedAt_ms: pageTime_ms() }, pixels);
   }
 
   private recycle(frame: ViewFrame): void {
-    this.buffers.giveBack(frame.depth_mm.buffer);
-    if (frame.rgba) this.buffers.giveBack(frame.rgba.buffer);
+    buffersOf(frame).forEach((buffer) => this.buffers.giveBack(buffer));
   }
 
   private reportStatus(hub: RoomSource): void {

@@ -5,6 +5,7 @@ import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { CodecModule } from '../codec/codec_module';
 import type { FrameHeader } from '../wire/frame_header';
 import { BufferPool } from './buffer_pool';
+import type { MotionFinder } from './motion_finder';
 import type { ViewFrame } from './protocol';
 import { SensorStream } from './sensor_stream';
 
@@ -84,13 +85,13 @@ function greyFrame(timestamp: number) {
 let settled: (ViewFrame | undefined)[];
 let keyRequests: number;
 
-async function streamWith(color: boolean): Promise<SensorStream> {
+async function streamWith(color: boolean, make?: MotionFinder['make']): Promise<SensorStream> {
   const codec = await CodecModule.load(readFileSync(wasm));
   const config = color ? { codec: 'vp09.00.10.08', codedWidth: grid.width, codedHeight: grid.height } : undefined;
   return new SensorStream(
     5,
-    grid,
-    { codec, color: config, buffers: new BufferPool() },
+    { ...grid, fx: 60, fy: 60, cx: 37, cy: 25 },
+    { codec, color: config, buffers: new BufferPool(), motion: { make } },
     {
       decoded: () => {},
       settled: (_set, frame) => settled.push(frame),

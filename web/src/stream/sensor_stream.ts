@@ -5,10 +5,12 @@
 import { rgbaFromYcbcr, type YcbcrPlanes } from '../codec/color_conversion';
 import { ColorDecoder } from '../codec/color_decoder';
 import { PayloadDecoder, PayloadError, type CodecModule, type DecodedPayload } from '../codec/codec_module';
+import type { FlowLens } from '../codec/scene_flow';
 import { unknownClockError_us, type FrameHeader } from '../wire/frame_header';
 import type { BufferPool } from './buffer_pool';
 import { FrameChain } from './frame_chain';
-import type { SensorTraffic, ViewFrame } from './protocol';
+import type { MotionFinder, SensorMotion } from './motion_finder';
+import { buffersOf, type SensorTraffic, type ViewFrame } from './protocol';
 
 export interface SensorStreamEvents {
   /** `depth_mm` is valid during the call. */
@@ -22,11 +24,7 @@ export interface SensorStreamParts {
   codec: CodecModule;
   color: VideoDecoderConfig | undefined; // undefined: no colour on this browser
   buffers: BufferPool;
-}
-
-interface Grid {
-  width: number;
-  height: number;
+  motion: Pick<MotionFinder, 'make'>;
 }
 
 interface AwaitsColor {
@@ -35,11 +33,13 @@ interface AwaitsColor {
 }
 
 const codecSections = 1;
+const lensFields = ['width', 'height', 'fx', 'fy', 'cx', 'cy'] as const;
 
 export class SensorStream {
   readonly traffic: SensorTraffic;
   private readonly chain = new FrameChain();
   private readonly payloads: PayloadDecoder;
+  private motion: SensorMotion | undefined; // undefined until it is wanted
   private readonly awaitsColor = new Map<number, AwaitsColor>();
   private colors: ColorDecoder | undefined;
   private chunks = 0;
@@ -48,11 +48,11 @@ export class SensorStream {
 
   constructor(
     readonly sensor: number,
-    readonly grid: Grid,
+    private readonly lens: FlowLens,
     private readonly parts: SensorStreamParts,
     private readonly events: SensorStreamEvents,
   ) {
-    this.payloads = new PayloadDecoder(parts.codec, grid.width, grid.height);
+    this.payloads = new PayloadDecoder(parts.codec, lens.width, lens.height);
     this.traffic = {
       sensor,
       frames: 0,
@@ -113,6 +113,12 @@ export class SensorStream {
   destroy(): void {
     this.closeColor();
     this.payloads.destroy();
+    this.motion?.destroy();
+  }
+
+  /** False: another sensor has taken this one's place. */
+  hasLens(lens: FlowLens): boolean {
+    return lensFields.every((field) => this.lens[field] === lens[field]);
   }
 
   private decode(header: FrameHeader, payload: Uint8Array): DecodedPayload {
@@ -157,16 +163,30 @@ export class SensorStream {
     const depth_mm = new Uint16Array(this.parts.buffers.take(decoded.depth_mm.byteLength));
     depth_mm.set(decoded.depth_mm);
     const { clockError_us } = header;
+    const { width, height } = this.lens;
     return {
       sensor: this.sensor,
       seq: header.seq,
       setId: header.setId,
       capture_ms: Number(header.capture_ns) / 1e6,
       captureError_ms: clockError_us === unknownClockError_us ? undefined : clockError_us / 1000,
-      ...this.grid,
+      width,
+      height,
       depth_mm,
+      flow: this.flowOf(depth_mm, header.capture_ns),
       rgba: undefined,
     };
+  }
+
+  private flowOf(depth_mm: Uint16Array, capture_ns: bigint): Float32Array<ArrayBuffer> | undefined {
+    const { make } = this.parts.motion;
+    if (!make) return undefined;
+    this.motion ??= make(this.lens);
+    const flow = this.motion.take(depth_mm, capture_ns);
+    if (!flow) return undefined;
+    const copy = new Float32Array(this.parts.buffers.take(flow.byteLength));
+    copy.set(flow);
+    return copy;
   }
 
   private settleOrDecodeColor(frame: ViewFrame, { color }: DecodedPayload): void {
@@ -220,7 +240,7 @@ export class SensorStream {
   private dropAwaited(areShown: boolean): void {
     for (const { frame, seen } of this.awaitsColor.values()) {
       this.parts.buffers.giveBack(seen.buffer);
-      if (!areShown) this.parts.buffers.giveBack(frame.depth_mm.buffer);
+      if (!areShown) buffersOf(frame).forEach((buffer) => this.parts.buffers.giveBack(buffer));
       this.events.settled(frame.setId, areShown ? frame : undefined);
     }
     this.awaitsColor.clear();

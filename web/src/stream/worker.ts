@@ -2,6 +2,7 @@
 // The worker: one hub connection, one decoder per sensor, newest frame sets to the page.
 import { colorDecoderConfig } from '../codec/color_decoder';
 import { CodecModule } from '../codec/codec_module';
+import { wasmBytes } from '../codec/wasm_bytes';
 import type { FromWorker, ToWorker } from './protocol';
 import { problemTexts } from '../texts';
 import { RoomStream } from './room_stream';
@@ -15,23 +16,11 @@ interface WorkerPort {
 
 const port = self as unknown as WorkerPort;
 
-async function fetchModule(url: string): Promise<ArrayBuffer> {
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`the server answered ${response.status}`);
-  return response.arrayBuffer();
-}
-
-/** Loads the SIMD module, or the plain one where the browser's WebAssembly has no SIMD. */
-async function loadCodec(): Promise<CodecModule> {
-  const fast = await fetchModule(codecUrl);
-  return CodecModule.load(WebAssembly.validate(fast) ? fast : await fetchModule(plainCodecUrl));
-}
-
 async function main(): Promise<void> {
   const room = new RoomStream((message, transfer) => port.postMessage(message, transfer));
   port.onmessage = ({ data }) => room.handle(data);
   try {
-    room.begin(await loadCodec(), await colorDecoderConfig(512, 424));
+    room.begin(await CodecModule.load(await wasmBytes(codecUrl, plainCodecUrl)), await colorDecoderConfig(512, 424));
   } catch (error) {
     const reason = (error as Error).message;
     port.postMessage({

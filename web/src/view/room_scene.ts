@@ -14,6 +14,7 @@ import { lateSensors } from './late_sensors';
 import { PlacedSensor, type SurfacesDrawn } from './placed_sensor';
 import type { Quality } from './quality_ladder';
 import { floorGrid } from './room_marks';
+import { aheadOf_s, shownInstant_ms } from './shown_instant';
 
 const carveEvery = 8; // pictures of a sensor
 export const darkBackground = new THREE.Color('#181a1e'); // as in room_renderer.h
@@ -202,6 +203,7 @@ export class RoomScene {
     this.grid.visible = !this.passthrough && !filled;
     if (this.isMixing) {
       this.refreshMemories();
+      this.bringToOneInstant();
       this.blend!.mix(camera, width, height);
     }
     this.renderer.render(this.scene, camera);
@@ -225,6 +227,14 @@ export class RoomScene {
       this.keeper!.carveLive(memory, placed.isLate ? this.othersOf(placed).filter(({ isLate }) => !isLate) : []);
       this.keeper!.refresh(memory);
       layers.forEach((layer) => layer.refresh());
+    }
+  }
+
+  private bringToOneInstant(): void {
+    const together = [...this.placed.values()].filter(({ isApart }) => !isApart);
+    const instant_ms = shownInstant_ms(together.flatMap(({ capture_ms }) => capture_ms ?? []));
+    for (const { layers, capture_ms } of together) {
+      layers.forEach((layer) => layer.setAhead(aheadOf_s(capture_ms, instant_ms)));
     }
   }
 

@@ -3,13 +3,19 @@
 // grid (alpha: the colour camera saw the surface), and the lens as a table of rays.
 import * as THREE from 'three';
 import type { Intrinsics } from '../gen/control_pb';
+import { flowChannels, flowSize } from '../codec/scene_flow';
 import type { ViewFrame } from '../stream/protocol';
 import { rayTable } from './ray_table';
 
 type Pixels = Uint16Array<ArrayBuffer> | Uint8Array<ArrayBuffer> | Float32Array<ArrayBuffer>;
 
-function dataTexture(data: Pixels, lens: Intrinsics, format: THREE.PixelFormat, type: THREE.TextureDataType) {
-  const texture = new THREE.DataTexture(data, lens.width, lens.height, format, type);
+interface Size {
+  width: number;
+  height: number;
+}
+
+function dataTexture(data: Pixels, { width, height }: Size, format: THREE.PixelFormat, type: THREE.TextureDataType) {
+  const texture = new THREE.DataTexture(data, width, height, format, type);
   texture.minFilter = texture.magFilter = THREE.NearestFilter;
   texture.unpackAlignment = data.BYTES_PER_ELEMENT === 2 ? 2 : 4;
   texture.needsUpdate = true;
@@ -20,6 +26,8 @@ export class SensorPictures {
   readonly depth: THREE.DataTexture;
   readonly color: THREE.DataTexture;
   readonly rays: THREE.DataTexture;
+  readonly flow: THREE.DataTexture; // codec/scene_flow.ts
+  moves = false; // something in the newest picture, as `flow` says
   hasPicture = false;
   private hasColor = false;
   private readonly blind: Uint32Array;
@@ -32,6 +40,9 @@ export class SensorPictures {
     this.depth = dataTexture(new Uint16Array(pixels), lens, THREE.RedIntegerFormat, THREE.UnsignedShortType);
     this.depth.internalFormat = 'R16UI';
     this.color = dataTexture(new Uint8Array(4 * pixels), lens, THREE.RGBAFormat, THREE.UnsignedByteType);
+    const cells = flowSize(lens);
+    const still = new Float32Array(flowChannels * cells.width * cells.height);
+    this.flow = dataTexture(still, cells, THREE.RGBAFormat, THREE.FloatType);
     this.color.minFilter = this.color.magFilter = THREE.LinearFilter;
   }
 
@@ -44,6 +55,12 @@ export class SensorPictures {
       this.color.image.data = frame.rgba ?? new Uint8Array(4 * this.lens.width * this.lens.height);
       this.color.needsUpdate = true;
     }
+    this.moves = frame.flow !== undefined;
+    if (frame.flow) {
+      this.flow.image.data = frame.flow;
+      this.flow.needsUpdate = true;
+      renderer.initTexture(this.flow);
+    }
     this.hasColor = frame.rgba !== undefined;
     this.hasPicture = true;
     renderer.initTexture(this.depth);
@@ -53,6 +70,7 @@ export class SensorPictures {
   /** Nothing is seen until the next frame. */
   clear(renderer: THREE.WebGLRenderer): void {
     const pixels = this.lens.width * this.lens.height;
+    this.moves = false;
     this.depth.image.data = new Uint16Array(pixels);
     this.color.image.data = new Uint8Array(4 * pixels);
     for (const texture of [this.depth, this.color]) {
@@ -62,6 +80,6 @@ export class SensorPictures {
   }
 
   dispose(): void {
-    for (const texture of [this.depth, this.color, this.rays]) texture.dispose();
+    for (const texture of [this.depth, this.color, this.rays, this.flow]) texture.dispose();
   }
 }

@@ -14,6 +14,7 @@ const metres: Layout = { format: THREE.RedFormat, type: THREE.FloatType };
 const share: Layout = { format: THREE.RedFormat, type: THREE.UnsignedByteType };
 const weight: Layout = { format: THREE.RedFormat, type: THREE.HalfFloatType };
 const readings: Layout = { format: THREE.RGBAFormat, type: THREE.FloatType };
+const motion: Layout = { format: THREE.RGBAFormat, type: THREE.HalfFloatType };
 const meanColor: Layout = { format: THREE.RGBAFormat, type: THREE.HalfFloatType, linear: true };
 
 function target(width: number, height: number, ...layouts: Layout[]): THREE.WebGLRenderTarget {
@@ -59,6 +60,7 @@ export class Grids {
   readonly background: THREE.WebGLRenderTarget;
   readonly carved: THREE.WebGLRenderTarget;
   readonly carvedLive: THREE.WebGLRenderTarget;
+  readonly motion: THREE.WebGLRenderTarget; // motion_shader.ts; of the newest picture if something moves in it
   isCarved = false; // carved contains data
   isLiveCarved: boolean | undefined; // carvedLive contains places; undefined: it contains nothing yet
 
@@ -80,12 +82,12 @@ export class Grids {
       THREE.WebGLRenderTarget,
     ];
     this.quality = target(columns, rows, weight);
+    this.motion = target(columns, rows, motion);
   }
 
   dispose(): void {
-    for (const each of [this.repaired, this.live, this.inRow, this.quality, this.background, this.carved, this.carvedLive]) {
-      each.dispose();
-    }
+    const { repaired, live, inRow, quality, background, carved, carvedLive, motion } = this;
+    for (const each of [repaired, live, inRow, quality, background, carved, carvedLive, motion]) each.dispose();
   }
 }
 
@@ -94,6 +96,7 @@ export class BackgroundModel {
   spare: BackgroundTextures; // target of the next update
   grids: Grids;
   isBlank = true; // contains no background
+  moves = false; // something in the picture that the grids show
   pictures = 0;
 
   constructor(readonly sensor: SensorPictures) {

@@ -6,6 +6,7 @@ import type { SensorPictures } from '../sensor_pictures';
 import { edgeShader, qualityShader, repairShader, smoothShader } from './clean_shader';
 import { FullScreenPass, withoutHeadset } from './full_screen_pass';
 import { backgroundShader, carveShader, rememberShader } from './memory_shader';
+import { motionShader } from './motion_shader';
 import type { BackgroundModel } from './background_model';
 
 /** Another sensor whose view tests this sensor's background. */
@@ -25,6 +26,7 @@ export class BackgroundUpdater {
   private readonly edgeIn = uniforms('uDepth_m', 'uStep');
   private readonly qualityIn = uniforms('uDepth_m', 'uInRow', 'uRays', 'uStep');
   private readonly backgroundIn = uniforms('uDepth', 'uReadings', 'uLive_m', 'uCarved', 'uStep');
+  private readonly motionIn = uniforms('uFlow', 'uLive_m', 'uBehind_m', 'uStep');
   private readonly carveIn = {
     ...uniforms('uReadings', 'uRays', 'uOtherDepth', 'uOtherFromDepth', 'uStep'),
     uOtherFocalCenter: { value: new THREE.Vector4() },
@@ -38,6 +40,7 @@ export class BackgroundUpdater {
     edges: new FullScreenPass(edgeShader, this.edgeIn),
     quality: new FullScreenPass(qualityShader, this.qualityIn),
     background: new FullScreenPass(backgroundShader, this.backgroundIn),
+    motion: new FullScreenPass(motionShader, this.motionIn),
     carve: new FullScreenPass(carveShader, this.carveIn, {
       blending: THREE.CustomBlending,
       blendEquation: THREE.MaxEquation,
@@ -87,7 +90,18 @@ export class BackgroundUpdater {
       passes.edges.run(renderer, grids.inRow);
       passes.quality.run(renderer, grids.quality);
       passes.background.run(renderer, grids.background);
+      if (sensor.moves) this.findMotion(memory);
     });
+    memory.moves = sensor.moves;
+  }
+
+  private findMotion({ grids, sensor }: BackgroundModel): void {
+    const { motionIn } = this;
+    motionIn.uFlow.value = sensor.flow;
+    motionIn.uLive_m.value = grids.live.texture;
+    motionIn.uBehind_m.value = grids.background.texture;
+    motionIn.uStep.value = grids.step;
+    this.passes.motion.run(this.renderer, grids.motion);
   }
 
   /** Removes background that other sensors see through, until the next call. */

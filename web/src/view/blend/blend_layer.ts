@@ -9,8 +9,9 @@ import type { BackgroundModel } from './background_model';
 const exponent = 4; // weight of directions: higher is sharper, lower hides seams
 
 /**
- * `backs`: of what is before a known background, such as a person: seen where no sensor sees the near side, for example a leg's
- * side between the sensors in front of and behind it. Without them one sees through the leg.
+ * `backs`: of what is before a known background or moves before an unknown one, such as a person: seen where no sensor
+ * sees the near side, for example a leg's side between the sensors in front of and behind it. Without them one sees
+ * through the leg.
  */
 export type LayerKind = 'live' | 'backs' | 'background';
 
@@ -42,6 +43,8 @@ export class BlendLayer {
       uEdge_m: { value: edge_m },
       uEdgeSlope: { value: edgeSlope },
       uSetback_m: { value: setback_m[kind] },
+      uMotion: { value: null },
+      uAhead_s: { value: 0 },
       uBehind_m: { value: null },
       uForegroundOnly: { value: kind === 'backs' },
       uIsBackground: { value: kind === 'background' },
@@ -86,13 +89,19 @@ export class BlendLayer {
     }
   }
 
+  /** Draws what moves where it is this much after the newest picture. */
+  setAhead(ahead_s: number): void {
+    this.uniforms.uAhead_s!.value = this.kind !== 'background' && this.memory.moves ? ahead_s : 0;
+  }
+
   /** Takes over the memory's current textures. */
   refresh(): void {
     const { grids, current, sensor } = this.memory;
     const { uniforms } = this;
     const live = this.kind !== 'background';
     uniforms.uDepth_m!.value = (live ? grids.live : grids.background).texture;
-    uniforms.uBehind_m!.value = grids.background.texture;
+    uniforms.uMotion!.value = grids.motion.texture;
+    uniforms.uBehind_m!.value = (this.memory.moves ? grids.motion : grids.background).texture;
     uniforms.uQuality!.value = grids.quality.texture;
     uniforms.uColor!.value = live ? sensor.color : current.meanColor;
     uniforms.uStep!.value = grids.step;

@@ -29,13 +29,15 @@ const layerVertex = /* glsl */ `${passPrecision}
 uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
 uniform sampler2D uDepth_m;  // in the grid; 0: nothing, negative: the live surface lies on it
-uniform sampler2D uBehind_m;  // the background in the grid; 0: unknown, negative: the live surface lies on it
+uniform sampler2D uBehind_m;  // in the grid, above 0 where the surface is before its background (motion_shader.ts)
 uniform bool uForegroundOnly;
 uniform sampler2D uRays;     // every pixel: x/z, y/z
 uniform int uStep;
 uniform float uEdge_m;       // a surface may rise by this from one corner to the next,
 uniform float uEdgeSlope;    // and by this for every metre of distance, times the root of the step
 uniform float uSetback_m;    // along the eye's ray
+uniform sampler2D uMotion;   // in the grid; after red: metres per second
+uniform float uAhead_s;      // draws what moves where it is after this time; 0: where it was seen
 
 const vec4 nowhere = vec4(0.0, 0.0, 2.0, 1.0);
 const ivec2 corners[6] = ivec2[6](ivec2(0, 0), ivec2(0, 1), ivec2(1, 0), ivec2(1, 0), ivec2(0, 1), ivec2(1, 1));
@@ -67,8 +69,10 @@ float pulledDepth() {
 }
 
 vec3 pointInView(float z) {
-  vec2 ray = texelFetch(uRays, cell * uStep, 0).rg;
-  vec3 point = (modelViewMatrix * vec4(ray * z, z, 1.0)).xyz;
+  vec3 seenAt = vec3(texelFetch(uRays, cell * uStep, 0).rg * z, z);
+  // Not a branch, of which a driver in software runs both sides.
+  for (int i = 0; i < (uAhead_s != 0.0 ? 1 : 0); ++i) seenAt += uAhead_s * texelFetch(uMotion, cell, 0).gba;
+  vec3 point = (modelViewMatrix * vec4(seenAt, 1.0)).xyz;
   return point * (1.0 + uSetback_m / max(-point.z, 1.0e-3));
 }
 `;
