@@ -302,7 +302,7 @@ inline const std::vector<Layer> kLayers = {
     {"cli",
      "* bench"},
     {"web/wasm",
-     "core codec codec/color codec/lossless codec/live codec/mask codec/payload"},
+     "core codec codec/color codec/lossless codec/live codec/mask codec/payload scene_flow"},
     {"fuzz",
      "core geometry codec codec/lossless codec/live codec/mask codec/payload model/pieces wire net client/room recording/bytes "
      "recording/foxglove recording/matroska recording/mcap recording/lzfse recording/room recording/ros recording/rosbag recording/zip sound capi hub/federation/cluster hub/federation/nats"},

@@ -53,6 +53,8 @@ test('the page draws the same picture as roomcast view', slow, async (t) => {
 
   const browser = await startBrowser({ width: size[0], height: size[1] });
   t.after(() => browser.end());
+  const loaded = [];
+  browser.context.on('response', (response) => loaded.push(response.url()));
   const page = await openPage(browser.context, `${hub.page}?panel=0&quality=best&at=${at}&look=${look}`);
   await untilAllShown(page, sensors);
   await until(
@@ -71,5 +73,6 @@ test('the page draws the same picture as roomcast view', slow, async (t) => {
   assert.ok(blend.psnr_dB >= leastAlike_dB, `blended ${blend.psnr_dB} dB`);
   assert.ok(blend.psnr_dB >= mesh.psnr_dB + leastBlendGain_dB, `blended ${blend.psnr_dB} dB, mesh ${mesh.psnr_dB} dB`);
   assert.equal((await sensorsOf(page)).length, sensors);
+  assert.ok(loaded.some((url) => /roomcast_flow-.*\.wasm/.test(url)), `motion of several sensors: ${loaded}`);
   assert.deepEqual(page.complaints, []);
 });

@@ -415,6 +415,10 @@ test('the first visit loads at most 270 kB', slow, async () => {
   const bytes = await Promise.all(loaded.map(packedSize));
   const total = bytes.reduce((sum, size) => sum + size, 0);
   assert.ok(total > 100_000 && total <= 270_000, `${total} bytes: ${loaded.map((url, i) => `${url} ${bytes[i]}`).join(', ')}`);
+  await page.goto(`${room.hub.page}?panel=1&quality=best`); // blended, for longer
+  await untilAllShown(page, 1);
+  await page.waitForTimeout(2500);
+  assert.deepEqual(files.filter((url) => /flow/.test(url)), [], 'the surfaces of one sensor need no motion');
   await end();
 });
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How what sensors show moves, while the page draws it. What finds it is loaded when the page first asks, which is after
-// the first picture (wanted_motion.ts): the room is whole without it, and stays so where it cannot be loaded.
+// How what sensors show moves, while the page draws it. The module is loaded when the page first asks, which is after the
+// first picture (wanted_motion.ts). Where it cannot be loaded, the room is drawn without motion.
 import type { FlowLens } from '../codec/scene_flow';
 
 /** One sensor's motion (codec/scene_flow_module.ts). */

@@ -85,13 +85,13 @@ function greyFrame(timestamp: number) {
 let settled: (ViewFrame | undefined)[];
 let keyRequests: number;
 
-async function streamWith(color: boolean, make?: MotionFinder['make']): Promise<SensorStream> {
+async function streamWith(color: boolean, motion: { make: MotionFinder['make'] } = { make: undefined }): Promise<SensorStream> {
   const codec = await CodecModule.load(readFileSync(wasm));
   const config = color ? { codec: 'vp09.00.10.08', codedWidth: grid.width, codedHeight: grid.height } : undefined;
   return new SensorStream(
     5,
     { ...grid, fx: 60, fy: 60, cx: 37, cy: 25 },
-    { codec, color: config, buffers: new BufferPool(), motion: { make } },
+    { codec, color: config, buffers: new BufferPool(), motion },
     {
       decoded: () => {},
       settled: (_set, frame) => settled.push(frame),
@@ -125,6 +125,28 @@ describe.skipIf(!built)(`a sensor's stream${reason}`, () => {
     expect(settled[3]).toMatchObject({ sensor: 5, setId: 103n, capture_ms: 3, captureError_ms: 1.5, rgba: undefined });
     expect(settled[0]!.depth_mm.length).toBe(pixels);
     expect(stream.traffic).toMatchObject({ frames: 4, skipped: 0, missed: 0, lastSeq: 3 });
+  });
+
+  test('asks for the motion of the frames that are shown, while it is wanted', async () => {
+    const taken: bigint[] = [];
+    const field = Float32Array.of(1, 2, 3, 4);
+    const make = () => ({
+      take: (depth_mm: Uint16Array, capture_ns: bigint) => {
+        expect(depth_mm.length).toBe(pixels);
+        return taken.push(capture_ns) > 1 ? field : undefined;
+      },
+      destroy: () => {},
+    });
+    const motion: { make: MotionFinder['make'] } = { make: undefined };
+    const stream = await streamWith(false, motion);
+    stream.push(headerOf(0), payloads[0]!);
+    motion.make = make;
+    stream.push(headerOf(1), payloads[1]!);
+    stream.push(headerOf(2), payloads[2]!, true);
+    stream.push(headerOf(3), payloads[3]!);
+    expect(taken).toEqual([1_000_000n, 3_000_000n]);
+    expect(settled.map((frame) => frame?.flow)).toEqual([undefined, undefined, field]);
+    expect(settled[2]!.flow!.buffer).not.toBe(field.buffer);
   });
 
   test('holds a frame until its colour is there, and masks the colour', async () => {
