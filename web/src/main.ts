@@ -38,7 +38,6 @@ import { darkBackground, lightBackground } from './view/room_scene';
 import { Stage } from './view/stage';
 import { keptFragment } from './view/view_address';
 import { hearingObstacle, soundSupport } from './voice/obstacle';
-import { WantedMotion } from './wanted_motion';
 import type { Headset } from './xr/headset';
 import { SheetHolder } from './xr/board_sheet';
 import { browsersXr, headsetOffer } from './xr/offer';
@@ -74,7 +73,6 @@ class Page {
     failed: () => this.breakDown(problemTexts.noPlayback),
   });
   private readonly model = new LazyModel(() => this);
-  private readonly motion = new WantedMotion((isWanted) => this.link.motion(isWanted));
   private readonly nudges = new SensorNudges();
   private readonly places = new RoomPlaces(browserStorage.store, () => this);
   private company: ViewerEntry[] = []; // who plays the same recording
@@ -344,10 +342,9 @@ class Page {
     if (!withFrames) return;
     const frames = this.atHand.splice(0);
     this.state.framesShown(this.setAtHand, frames, pageTime_ms());
-    this.link.shown(frames);
+    this.link.shown(frames, this.stage.room.drawing);
     this.playback.drawn(frames);
     this.model.drawn();
-    this.motion.drawn(this.stage.room.drawing, performance.now());
   }
 
   private refresh(now_ms: number, frame: XRFrame | undefined): void {

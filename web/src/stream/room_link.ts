@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's interface to its worker.
 import { problemTexts } from '../texts';
+import type { Drawing } from '../view/draw_mode';
 import { buffersOf } from './protocol';
 import type { Body, FromWorker, Handicap, NewMark, PlaybackCommand, StartOptions, ToWorker, ViewFrame } from './protocol';
+import { WantedMotion } from './wanted_motion';
 
 export class RoomLink {
   private readonly worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'roomcast' });
+  private readonly motion = new WantedMotion((isWanted) => this.tell({ kind: 'motion', isWanted }));
 
   constructor(options: StartOptions, receive: (message: FromWorker) => void) {
     this.worker.onmessage = ({ data }: MessageEvent<FromWorker>) => receive(data);
@@ -16,10 +19,11 @@ export class RoomLink {
     this.tell({ kind: 'start', options });
   }
 
-  /** The frames have been drawn; returns their pixel buffers. */
-  shown(frames: readonly ViewFrame[]): void {
+  /** The frames have been drawn; returns their pixel buffers. `drawing`: how they were, for what can be drawn at one instant. */
+  shown(frames: readonly ViewFrame[], drawing?: Drawing): void {
     const buffers = frames.flatMap(buffersOf);
     this.worker.postMessage({ kind: 'shown', buffers } satisfies ToWorker, buffers);
+    if (drawing) this.motion.drawn(drawing, performance.now());
   }
 
   pose(body: Body): void {
@@ -60,11 +64,6 @@ export class RoomLink {
   /** Joins the room again under another name. */
   rename(name: string): void {
     this.tell({ kind: 'rename', name });
-  }
-
-  /** Whether frames are to come with their flow. */
-  motion(isWanted: boolean): void {
-    this.tell({ kind: 'motion', isWanted });
   }
 
   stats(lastSetId: bigint, shownFps: number, latency_ms: number): void {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tells the worker when it is to find how things move: while surfaces of several sensors are blended, and not in the first
 // moments of a visit, so that the module for it does not delay the room.
-import type { Drawing } from './view/draw_mode';
+import type { Drawing } from '../view/draw_mode';
 
 const afterFirstPicture_ms = 1500;
 
