@@ -177,7 +177,7 @@ void RoomRenderer::refresh_background_models() {
                         other.is_late});
     }
     parts_.updater.refresh(sensor.surface, others,
-                           {options_.mesh, colors_.gain(id), sensor.is_late, sensor.flow.cells()},
+                           {options_.mesh, colors_.gain(id), sensor.is_late, sensor.flow},
                            sensor.background_model);
   }
 }

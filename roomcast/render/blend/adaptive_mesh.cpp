@@ -43,7 +43,8 @@ void AdaptiveMesher::build(const GlTexture& depth_m, const Covering& covering, i
   tiles.bind(shaders::blend_surface_glsl::depth_m, depth_m);
   tiles.bind(adaptive_mesh_comp::covering_depth_m,
              covering.depth_m != nullptr ? *covering.depth_m : depth_m);
-  tiles.bind(shaders::scene_flow_glsl::flow, covering.flow != nullptr ? *covering.flow : depth_m);
+  tiles.bind(adaptive_mesh_comp::velocities,
+             covering.velocities != nullptr ? *covering.velocities : depth_m);
   tiles.set(adaptive_mesh_comp::is_covered, covering.depth_m != nullptr);
   tiles.set(adaptive_mesh_comp::needs_covering, covering.is_needed);
   tiles.set(adaptive_mesh_comp::max_gap,

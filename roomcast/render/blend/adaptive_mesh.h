@@ -30,7 +30,7 @@ class AdaptiveMesher {
     /// Only parts wholly before such a surface are kept, so that noise leaves no specks, and, where
     /// there is no such surface, parts that move.
     bool is_needed = false;
-    const GlTexture* flow = nullptr;  // SurfaceFlow::cells, if it is needed
+    const GlTexture* velocities = nullptr;  // SurfaceFlow::velocities, if it is needed
   };
 
   /// Meshes a depth texture in metres. `options.grid_step` is ignored.
@@ -39,7 +39,7 @@ class AdaptiveMesher {
 
  private:
   struct Programs {
-    ComputeProgram<shaders::depth_noise_glsl, shaders::blend_surface_glsl, shaders::scene_flow_glsl,
+    ComputeProgram<shaders::depth_noise_glsl, shaders::blend_surface_glsl,
                    shaders::adaptive_mesh_comp>
         tiles;
     ComputeProgram<shaders::mesh_offsets_comp> offsets;

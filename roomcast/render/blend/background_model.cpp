@@ -39,7 +39,7 @@ void BackgroundModel::set_color_scale(int scale) {
 
 Result<BackgroundUpdater> BackgroundUpdater::create() {
   auto parts = create_parts(&Parts::update, &Parts::background, &Parts::carve, &Parts::completion,
-                            &Parts::cleaner);
+                            &Parts::cleaner, &Parts::flow);
   if (!parts) return std::move(parts).error();
   return BackgroundUpdater(*std::move(parts));
 }
@@ -78,7 +78,9 @@ void BackgroundUpdater::refresh(const SensorSurface& sensor, std::span<const Oth
   parts_.cleaner.finish(sensor, known, Shows::kNewest, {options.mesh, options.gain}, model.live_);
   const SurfaceCleaner::Options behind{options.mesh, options.gain, &model.live_};
   parts_.cleaner.finish(sensor, known, Shows::kBackground, behind, model.background_);
-  parts_.cleaner.find_foreground(model.background_, options.mesh, options.flow, model.live_);
+  options.flow.interpolate(parts_.flow, model.live_.depth_m);
+  parts_.cleaner.find_foreground(model.background_, options.mesh, options.flow.velocities(),
+                                 model.live_);
 }
 
 void BackgroundUpdater::carve(const SensorSurface& sensor, const OtherSensor& other,

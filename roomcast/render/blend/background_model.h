@@ -12,6 +12,7 @@
 #include "roomcast/geometry/rigid_transform.h"
 #include "roomcast/render/blend/clean_surface.h"
 #include "roomcast/render/blend/depth_completion.h"
+#include "roomcast/render/blend/surface_flow.h"
 #include "roomcast/render/surface/sensor_surface.h"
 
 namespace roomcast::render {
@@ -57,7 +58,7 @@ class BackgroundUpdater {
     SurfaceMeshOptions mesh;
     Eigen::Vector3f gain;   // for the sensor's colours, red first
     bool is_late = false;   // then the live surface is removed where another sensor sees through it
-    const GlTexture& flow;  // SurfaceFlow::cells
+    SurfaceFlow& flow;      // of the sensor: gets its velocities
   };
 
   /// Computes both surfaces for drawing. Call it when all sensors have their newest pictures, and
@@ -74,6 +75,7 @@ class BackgroundUpdater {
     ComputeProgram<shaders::carve_comp> carve;
     DepthCompletion completion;
     SurfaceCleaner cleaner;
+    FlowInterpolation flow;
   };
   explicit BackgroundUpdater(Parts parts) : parts_(std::move(parts)) {}
   void carve(const SensorSurface& sensor, const OtherSensor& other, const GlTexture& depth) const;

@@ -58,9 +58,9 @@ class SurfaceCleaner {
               CleanSurface& surface);
 
   /// Finds the foreground of a finished surface: what is before a known background, and what moves
-  /// (`flow`: SurfaceFlow::cells) before an unknown one.
+  /// (`velocities`: of SurfaceFlow) before an unknown one.
   void find_foreground(const CleanSurface& background, const SurfaceMeshOptions& options,
-                       const GlTexture& flow, CleanSurface& surface);
+                       const GlTexture& velocities, CleanSurface& surface);
 
  private:
   struct Parts {

@@ -14,6 +14,8 @@ namespace roomcast::render {
 /// Surfaces are not moved for longer than this: nobody knows how they go on.
 inline constexpr nanoseconds kMaxAhead{70'000'000};
 
+using FlowInterpolation = ComputeProgram<shaders::interpolate_flow_comp>;
+
 class SurfaceFlow {
  public:
   explicit SurfaceFlow(const CameraIntrinsics& depth);
@@ -22,19 +24,27 @@ class SurfaceFlow {
   /// moves in it. A picture of the same time as the last is taken for the same.
   void take(DepthView depth_mm, std::optional<RoomTime> capture_time);
 
+  /// Computes the velocities of the newest picture, whose cleaned surface is `depth_m`.
+  void interpolate(const FlowInterpolation& program, const GlTexture& depth_m);
+
   /// How far `instant` is after the newest picture, in seconds, at most kMaxAhead either way; 0
   /// without both.
   [[nodiscard]] float ahead_s(std::optional<RoomTime> instant) const;
 
   /// Of the newest picture.
   [[nodiscard]] std::optional<RoomTime> time() const { return time_; }
-  [[nodiscard]] const GlTexture& cells() const { return cells_; }
+  /// Metres per second of each pixel, in the sensor's frame; RGBA16F, of the lens's size. Zero until
+  /// they are interpolated.
+  [[nodiscard]] const GlTexture& velocities() const { return velocities_; }
 
  private:
-  void clear_cells();
+  [[nodiscard]] bool moves() const { return time_ && !flow_.is_still(); }
 
+  int width_, height_;
   scene_flow::SceneFlow flow_;
-  GlTexture cells_;  // RGBA16F, as scene_flow.glsl reads it
+  GlTexture cells_;  // RGBA16F: scene_flow::CellFlow
+  GlTexture velocities_;
+  bool velocities_are_zero_ = true;
   std::optional<RoomTime> time_;
 };
 

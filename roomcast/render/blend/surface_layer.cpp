@@ -25,7 +25,7 @@ void LayerPainter::draw(AnyLayerProgram program, const SurfaceLayer& layer,
   const AdaptiveMesh& mesh = backs ? surface.foreground : surface.mesh;
   program.set(shaders::blend_in_view_glsl::setback_m, setback_m(layer.part));
   program.set(shaders::blend_in_view_glsl::ahead_s, layer.ahead_s);
-  program.bind(shaders::scene_flow_glsl::flow, layer.flow->cells());
+  program.bind(shaders::blend_in_view_glsl::velocities, layer.flow->velocities());
   program.bind(blend_surface_glsl::depth_m, surface.depth_m);
   program.bind(blend_surface_glsl::rays, *layer.rays);
   program.bind(blend_surface_glsl::weighted_color, surface.weighted_color);

@@ -34,11 +34,11 @@ struct SurfaceLayer {
 template <class VertexShader, class FragmentShader>
 using LayerProgram =
     DrawProgram<Vertex<shaders::eyes_glsl, shaders::surface_view_glsl, shaders::blend_surface_glsl,
-                       shaders::scene_flow_glsl, shaders::blend_in_view_glsl, VertexShader>,
+                       shaders::blend_in_view_glsl, VertexShader>,
                 Fragment<shaders::blend_surface_glsl, FragmentShader>>;
 using AnyLayerProgram =
     ProgramWith<shaders::eyes_glsl, shaders::surface_view_glsl, shaders::blend_surface_glsl,
-                shaders::scene_flow_glsl, shaders::blend_in_view_glsl>;
+                shaders::blend_in_view_glsl>;
 
 class LayerPainter {
  public:

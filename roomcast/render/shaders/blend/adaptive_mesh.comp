@@ -7,6 +7,7 @@ layout(local_size_x = 16, local_size_y = 16) in;
 layout(std430, binding = 0) writeonly buffer Tiles { uint tile_indices[]; };  // kMaxIndices per tile
 layout(std430, binding = 1) writeonly buffer Counts { uint tile_counts[]; };
 layout(binding = 5) uniform sampler2D covering_depth_m;
+layout(binding = 6) uniform sampler2D velocities;  // metres per second
 
 layout(location = 4) uniform vec2 max_gap;     // metres, and share of the nearest corner's distance
 layout(location = 5) uniform bool is_covered;  // parts on the covering surface are not drawn
@@ -36,15 +37,12 @@ int node_at(int level, ivec2 cell) {
   return kFirstNode[level] + node.y * across + node.x;
 }
 
-bool moves(ivec2 pixel, float here) {
-  vec4 cell = texelFetch(flow, pixel / kCellPixels, 0);
-  return here < cell.w && length(cell.xyz) > kMoves;
-}
+bool moves(ivec2 pixel) { return length(texelFetch(velocities, pixel, 0).xyz) > kMoves; }
 
 bool is_hidden_at(ivec2 pixel, float here) {
   if (!is_covered || here == 0.0) return false;
   float covering = texelFetch(covering_depth_m, pixel, 0).r;
-  if (covering == 0.0) return needs_covering && !moves(pixel, here);
+  if (covering == 0.0) return needs_covering && !moves(pixel);
   return abs(covering - here) < same_surface_gate(here);
 }
 
