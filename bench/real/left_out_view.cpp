@@ -10,6 +10,7 @@
 
 #include "bench/render/view_score.h"
 #include "roomcast/render/room_renderer.h"
+#include "roomcast/scene_flow/room_flow.h"
 
 namespace roomcast::bench {
 namespace {
@@ -67,8 +68,11 @@ class RoomWithout {
            ++next_[s]) {
         auto status = frames_.read(sensor, files[next_[s]].index, frame_);
         if (!status) return status;
+        const RoomTime taken(files[next_[s]].true_time);
+        const scene_flow::FlowField* moves =
+            flow_.take(id_of(s), sensor.recording.camera.calibration.depth, frame_.depth_mm, taken);
         status = room_.upload(id_of(s), frame_.depth_mm, frame_.color.color, frame_.color.seen,
-                              RoomTime(files[next_[s]].true_time));
+                              {taken, moves});
         if (!status) return status;
       }
     }
@@ -95,6 +99,7 @@ class RoomWithout {
   RigFrames& frames_;
   std::size_t left_out_;
   render::RoomRenderer room_;
+  scene_flow::RoomFlow flow_;
   std::vector<std::size_t> next_;  // frame of each sensor that was not taken yet
   RegisteredFrame frame_;
 };

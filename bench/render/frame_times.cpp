@@ -14,6 +14,7 @@
 #include "bench/render/truth_view.h"
 #include "roomcast/render/gl/gl_context.h"
 #include "roomcast/render/room_renderer.h"
+#include "roomcast/scene_flow/room_flow.h"
 
 namespace roomcast::bench {
 namespace {
@@ -87,7 +88,10 @@ class FrameTimes {
 
  private:
   [[nodiscard]] Result<render::RoomRenderer> room_of(render::RenderMode mode, int sensors) const;
-  Status show(render::RoomRenderer& room, int number, int sensors) const;
+  using Motions = std::vector<render::PictureMotion>;  // by sensor
+  [[nodiscard]] Motions find_motion(scene_flow::RoomFlow& flow, int number, int sensors) const;
+  Status show(render::RoomRenderer& room, int number, const Motions& motions) const;
+  static SensorId id_of(std::size_t sensor) { return {static_cast<std::uint16_t>(sensor)}; }
   [[nodiscard]] render::Eyes eyes_at(int picture) const;
 
   const std::vector<RigFrames::Sensor>& sensors_;
@@ -107,21 +111,31 @@ Result<render::RoomRenderer> FrameTimes::room_of(render::RenderMode mode, int se
     const RigFrames::Sensor& sensor = sensors_[s % count];
     RigidTransform pose = sensor.world_from_depth;
     pose.translation_m += kCopyBeside_m * static_cast<double>(s / count) * pose.rotation.col(0);
-    const SensorId id{static_cast<std::uint16_t>(s)};
-    auto status = room->set_sensor(id, sensor.recording.camera.calibration.depth, pose);
+    auto status = room->set_sensor(id_of(s), sensor.recording.camera.calibration.depth, pose);
     if (!status) return status.error();
   }
   return room;
 }
 
-/// The sensors take their pictures one after the other, at even distances.
-Status FrameTimes::show(render::RoomRenderer& room, int number, int sensors) const {
+/// Valid until the next. The sensors take their pictures one after the other, at even distances.
+FrameTimes::Motions FrameTimes::find_motion(scene_flow::RoomFlow& flow, int number,
+                                            int sensors) const {
   const FrameSet& set = sets_[static_cast<std::size_t>(number) % sets_.size()];
+  Motions motions;
   for (std::size_t s = 0; s < static_cast<std::size_t>(sensors); ++s) {
-    const RegisteredFrame& frame = set[s % set.size()];
     const RoomTime time(kPeriod * number + kPeriod * static_cast<int>(s) / sensors);
-    auto status = room.upload(SensorId{static_cast<std::uint16_t>(s)}, frame.depth_mm,
-                              frame.color.color, frame.color.seen, time);
+    const CameraIntrinsics& lens = sensors_[s % sensors_.size()].recording.camera.calibration.depth;
+    motions.push_back({time, flow.take(id_of(s), lens, set[s % set.size()].depth_mm, time)});
+  }
+  return motions;
+}
+
+Status FrameTimes::show(render::RoomRenderer& room, int number, const Motions& motions) const {
+  const FrameSet& set = sets_[static_cast<std::size_t>(number) % sets_.size()];
+  for (std::size_t s = 0; s < motions.size(); ++s) {
+    const RegisteredFrame& frame = set[s % set.size()];
+    auto status =
+        room.upload(id_of(s), frame.depth_mm, frame.color.color, frame.color.seen, motions[s]);
     if (!status) return status;
   }
   return {};
@@ -148,19 +162,22 @@ Result<FrameTimesRow> FrameTimes::measure(render::RenderMode mode, int sensors) 
   if (!room) return room.error();
   const auto target = render::OffscreenTarget::create(head_.width, head_.height, 2);
   if (!target) return target.error();
+  scene_flow::RoomFlow flow;
   const auto kept = static_cast<int>(sets_.size());
   for (int i = 0; i < kept; ++i) {  // the background is learnt, and buffers reach their size
-    if (auto status = show(*room, i, sensors); !status) return status.error();
+    const Motions motions = find_motion(flow, i, sensors);
+    if (auto status = show(*room, i, motions); !status) return status.error();
     if (auto status = room->draw(eyes_at(0), *target, mode); !status) return status.error();
   }
   std::vector<double> with_new, without, gpu;
   int picture = 0;
   for (int i = 0; i < options_.frame_sets; ++i) {
+    const Motions motions = find_motion(flow, kept + i, sensors);  // the window: on another thread
     for (int j = 0; j < kPicturesPerFrameSet; ++j, ++picture) {
       glFinish();
       const auto begin = Clock::now();
       Status status;
-      if (j == 0) status = show(*room, kept + i, sensors);
+      if (j == 0) status = show(*room, kept + i, motions);
       if (!status) return status.error();
       const GpuTimer timer;
       status = room->draw(eyes_at(picture), *target, mode);

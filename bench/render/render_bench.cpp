@@ -18,6 +18,7 @@
 #include "roomcast/recording/modeler/model_pieces.h"
 #include "roomcast/render/gl/gl_context.h"
 #include "roomcast/render/render_mode.h"
+#include "roomcast/scene_flow/room_flow.h"
 
 namespace roomcast::bench {
 namespace {
@@ -98,6 +99,7 @@ class RenderBench {
   std::vector<JudgedView> judged_;
   std::map<model::GridPlace, model::RoomMesh> model_;  // its pieces; none: it is not shown
   RegisteredFrame frame_;
+  scene_flow::RoomFlow flow_;  // of the mode that is measured
   int uploads_ = 0;
 };
 
@@ -211,10 +213,14 @@ Status RenderBench::upload(render::RoomRenderer& room, std::size_t sensor, std::
   if (auto status = frames_.read(frames_.sensors()[sensor], number, frame_); !status) return status;
   glFinish();
   const double before = process_cpu_ms();
-  std::optional<RoomTime> time;
-  if (options_.one_instant) time = RoomTime(file_of(sensor, number)->true_time);
-  auto status = room.upload(SensorId{static_cast<std::uint16_t>(sensor)}, frame_.depth_mm,
-                            frame_.color.color, frame_.color.seen, time);
+  const SensorId id{static_cast<std::uint16_t>(sensor)};
+  render::PictureMotion motion;
+  if (options_.one_instant) {
+    const RoomTime time(file_of(sensor, number)->true_time);
+    const auto& lens = frames_.sensors()[sensor].recording.camera.calibration.depth;
+    motion = {time, flow_.take(id, lens, frame_.depth_mm, time)};
+  }
+  auto status = room.upload(id, frame_.depth_mm, frame_.color.color, frame_.color.seen, motion);
   glFinish();
   if (cost != nullptr) {
     cost->upload_cpu_ms += process_cpu_ms() - before;
@@ -310,6 +316,7 @@ std::optional<RenderBench::FrameNumbers> RenderBench::next_frames(const FrameNum
 }
 
 Result<RenderRow> RenderBench::measure(render::RenderMode mode) {
+  flow_ = {};
   auto room = room_of(mode);
   if (!room) return room.error();
   RenderRow row;

@@ -55,7 +55,7 @@ void RoomRenderer::set_late(SensorId id, bool late) {
 }
 
 Status RoomRenderer::upload(SensorId id, DepthView depth_mm, ColorView color, MaskView seen,
-                            std::optional<RoomTime> capture_time) {
+                            const PictureMotion& motion) {
   const auto sensor = sensors_.find(id);
   if (sensor == sensors_.end()) {
     return Error{ErrorCode::kNotFound, "sensor " + std::to_string(id.value) +
@@ -63,7 +63,7 @@ Status RoomRenderer::upload(SensorId id, DepthView depth_mm, ColorView color, Ma
   }
   Sensor& known = sensor->second;
   if (Status uploaded = known.surface.upload(depth_mm, color, seen); !uploaded) return uploaded;
-  known.flow.take(depth_mm, capture_time);
+  known.flow.take(motion);
   if (options_.update_background) {
     parts_.updater.update(known.surface, known.background_model);
     colors_.offer(id, known.surface.intrinsics(), depth_mm, color, seen);

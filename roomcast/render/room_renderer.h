@@ -67,11 +67,10 @@ class RoomRenderer {
   /// moves was there, and is seen elsewhere now. Does nothing if there is no such sensor.
   void set_late(SensorId id, bool late);
 
-  /// Sets the sensor's newest pictures. From the times of these and of those before follows how
-  /// what stands before the background moves; without a time nothing does. kNotFound without a
+  /// Sets the sensor's newest pictures, and how what they show moves. kNotFound without a
   /// set_sensor before it; other errors as SensorSurface::upload.
   Status upload(SensorId id, DepthView depth_mm, ColorView color, MaskView seen,
-                std::optional<RoomTime> capture_time = std::nullopt);
+                const PictureMotion& motion = {});
 
   /// The blend and adaptive modes draw what moves where it is at this instant, kMaxAhead from the
   /// pictures at most. Without an instant it is in the middle between the sensors' newest pictures,

@@ -42,8 +42,8 @@ class SceneFlow {
 
   /// In the newest picture. By cells: cells_along() the picture's sides.
   [[nodiscard]] const FlowField& field() const { return field_; }
-  /// Nothing moves in the newest picture.
-  [[nodiscard]] bool is_still() const { return is_still_; }
+  /// The same; null while nothing moves.
+  [[nodiscard]] const FlowField* motion() const { return is_still_ ? nullptr : &field_; }
 
  private:
   void find_velocities(double seconds);

@@ -28,7 +28,9 @@ class DesktopDisplay {
   bool panel_takes(const SDL_Event& event) { return panel_layer_->take(event); }
 
   /// Sets the room to draw. Errors as RoomView::show.
-  Status show_room(const client::RoomSnapshot& room) { return room_view_.show(room); }
+  Status show_room(const client::RoomSnapshot& room, const RoomMotion& motion) {
+    return room_view_.show(room, motion);
+  }
   /// Errors as RoomView::take_model.
   Status take_model(const model::DecodedModel& news) { return room_view_.take_model(news); }
   /// Uses the settings from the next picture on; `room` is the room shown. Errors as

@@ -24,6 +24,7 @@ Result<std::unique_ptr<DesktopViewer>> DesktopViewer::open(client::Subscriber& h
 DesktopViewer::DesktopViewer(client::Subscriber& hub, DesktopViewerOptions options,
                              DesktopDisplay display)
     : hub_(hub),
+      motion_(hub),
       options_(std::move(options)),
       display_(std::move(display)),
       state_(options_.settings, options_.start),
@@ -135,9 +136,10 @@ void DesktopViewer::advance(HostTime at) {
 }
 
 void DesktopViewer::follow_room(HostTime at) {
-  if (!state_.follow(hub_.snapshot(), at)) return;
+  const auto newest = motion_.newest();
+  if (!state_.follow(newest->room, at)) return;
   hub_report_.follow(state_.room());
-  notify_error(display_.show_room(state_.room()));
+  notify_error(display_.show_room(state_.room(), newest->motion));
 }
 
 void DesktopViewer::follow_model() {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// DesktopViewer: `roomcast view` in a window. Draws the newest RoomSnapshot, moves the viewer and
-// sends the viewer's pose to the hub. Never waits for the network: when the hub or a sensor is
-// lost, it keeps drawing the last data and reports the loss. Threading: the window's thread only.
+// DesktopViewer: `roomcast view` in a window. Draws the newest RoomSnapshot whose motion is known,
+// moves the viewer and sends the viewer's pose to the hub. Never waits for the network: when the
+// hub or a sensor is lost, it keeps drawing the last data and reports the loss. Threading: the
+// window's thread only.
 //
 // One way: DesktopInput and the panel turn events into movement and commands, DesktopState is what
 // follows from them, from time and from the room, and DesktopDisplay draws it.
@@ -19,6 +20,7 @@
 #include "roomcast/viewer/desktop_display.h"
 #include "roomcast/viewer/desktop_state.h"
 #include "roomcast/viewer/hub_report.h"
+#include "roomcast/viewer/motion/motion_follower.h"
 #include "roomcast/viewer/voice/desktop_voice.h"
 #include "roomcast/viewer/window/desktop_input.h"
 
@@ -90,6 +92,7 @@ class DesktopViewer {
 
   SteadyClock clock_;
   client::Subscriber& hub_;
+  MotionFollower motion_;
   DesktopViewerOptions options_;
   DesktopDisplay display_;
   DesktopInput input_;

@@ -123,6 +123,7 @@ Status FilmWriter::show(const FrameSet& set) {
     const auto frame = std::ranges::find(set.frames, sensor, &SetFrame::sensor);
     if (frame == set.frames.end() || !frame->world_from_depth) {
       stage_.renderer.remove(id_of(sensor));
+      flow_.forget(id_of(sensor));
       continue;
     }
     const codec::DecodedFrame& pictures = *frame->pictures;
@@ -130,8 +131,11 @@ Status FilmWriter::show(const FrameSet& set) {
                                                  *frame->world_from_depth);
         !status)
       return status;
+    const RoomTime time(frame->time);
+    const scene_flow::FlowField* moves =
+        flow_.take(id_of(sensor), sensors_[sensor].depth, pictures.depth_mm, time);
     if (auto status = stage_.renderer.upload(id_of(sensor), pictures.depth_mm, pictures.color,
-                                             pictures.color_seen, RoomTime(frame->time));
+                                             pictures.color_seen, {time, moves});
         !status)
       return status;
   }

@@ -15,6 +15,7 @@
 #include "roomcast/render/gl/gl_context.h"
 #include "roomcast/render/room_renderer.h"
 #include "roomcast/render/view/offscreen_target.h"
+#include "roomcast/scene_flow/room_flow.h"
 #include "roomcast/viewer/capture/video_sink.h"
 
 namespace roomcast::recording {
@@ -63,6 +64,7 @@ class FilmWriter final : public SetWriter {
   const FilmOptions options_;
   render::ViewCamera camera_;
   Stage stage_;
+  scene_flow::RoomFlow flow_;
   std::unique_ptr<viewer::VideoSink> sink_;
   std::optional<CameraPath> path_;
   nanoseconds begin_{};  // start of the film, in the recording

@@ -56,9 +56,9 @@ class BackgroundUpdater {
 
   struct Options {
     SurfaceMeshOptions mesh;
-    Eigen::Vector3f gain;   // for the sensor's colours, red first
-    bool is_late = false;   // then the live surface is removed where another sensor sees through it
-    SurfaceFlow& flow;      // of the sensor: gets its velocities
+    Eigen::Vector3f gain;  // for the sensor's colours, red first
+    bool is_late = false;  // then the live surface is removed where another sensor sees through it
+    SurfaceFlow& flow;     // of the sensor: gets its velocities
   };
 
   /// Computes both surfaces for drawing. Call it when all sensors have their newest pictures, and

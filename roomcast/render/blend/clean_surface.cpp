@@ -70,8 +70,7 @@ void SurfaceCleaner::finish(const SensorSurface& sensor, const Known& known, Sho
 }
 
 void SurfaceCleaner::find_foreground(const CleanSurface& background,
-                                     const SurfaceMeshOptions& options,
-                                     const GlTexture& velocities,
+                                     const SurfaceMeshOptions& options, const GlTexture& velocities,
                                      CleanSurface& surface) {
   parts_.mesher.build(surface.depth_m, {&background.depth_m, true, &velocities}, surface.width,
                       surface.height, options, surface.foreground);

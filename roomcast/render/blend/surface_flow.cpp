@@ -5,6 +5,8 @@
 #include <chrono>
 #include <utility>
 
+#include "roomcast/core/assert.h"
+
 namespace roomcast::render {
 
 namespace {
@@ -20,24 +22,26 @@ static_assert(sizeof(scene_flow::CellFlow) == 4 * sizeof(float), "cells are uplo
 SurfaceFlow::SurfaceFlow(const CameraIntrinsics& depth)
     : width_(depth.width),
       height_(depth.height),
-      flow_(depth),
-      cells_(make_texture(GL_RGBA16F, flow_.field().width(), flow_.field().height())),
+      cells_(make_texture(GL_RGBA16F, scene_flow::cells_along(depth.width),
+                          scene_flow::cells_along(depth.height))),
       velocities_(make_texture(GL_RGBA16F, depth.width, depth.height)) {
   set_to_zero(velocities_);
 }
 
-void SurfaceFlow::take(DepthView depth_mm, std::optional<RoomTime> capture_time) {
-  if (std::exchange(time_, capture_time) == capture_time || !capture_time) return;
-  flow_.take(depth_mm, *capture_time);
-  if (flow_.is_still()) return;
-  const scene_flow::FlowField& field = flow_.field();
-  glTextureSubImage2D(cells_.name(), 0, 0, 0, field.width(), field.height(), GL_RGBA, GL_FLOAT,
-                      field.data());
+void SurfaceFlow::take(const PictureMotion& motion) {
+  time_ = motion.capture_time;
+  moves_ = time_ && motion.cells != nullptr;
+  if (!moves_) return;
+  const scene_flow::FlowField& cells = *motion.cells;
+  ROOMCAST_ASSERT(cells.width() == scene_flow::cells_along(width_) &&
+                  cells.height() == scene_flow::cells_along(height_));
+  glTextureSubImage2D(cells_.name(), 0, 0, 0, cells.width(), cells.height(), GL_RGBA, GL_FLOAT,
+                      cells.data());
 }
 
 void SurfaceFlow::interpolate(const FlowInterpolation& program, const GlTexture& depth_m) {
-  const bool were_zero = std::exchange(velocities_are_zero_, !moves());
-  if (!moves()) {
+  const bool were_zero = std::exchange(velocities_are_zero_, !moves_);
+  if (!moves_) {
     if (!were_zero) set_to_zero(velocities_);
     return;
   }
@@ -49,7 +53,7 @@ void SurfaceFlow::interpolate(const FlowInterpolation& program, const GlTexture&
 }
 
 float SurfaceFlow::ahead_s(std::optional<RoomTime> instant) const {
-  if (!instant || !moves()) return 0;
+  if (!instant || !moves_) return 0;
   const nanoseconds ahead = std::clamp(*instant - *time_, -kMaxAhead, kMaxAhead);
   return std::chrono::duration<float>(ahead).count();
 }

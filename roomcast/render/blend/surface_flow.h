@@ -16,13 +16,18 @@ inline constexpr nanoseconds kMaxAhead{70'000'000};
 
 using FlowInterpolation = ComputeProgram<shaders::interpolate_flow_comp>;
 
+/// When a sensor took a picture, and how what it shows moves.
+struct PictureMotion {
+  std::optional<RoomTime> capture_time;          // without it nothing moves
+  const scene_flow::FlowField* cells = nullptr;  // of the picture; null: nothing moves
+};
+
 class SurfaceFlow {
  public:
   explicit SurfaceFlow(const CameraIntrinsics& depth);
 
-  /// The sensor's newest picture, of the lens's size, and when it was taken; without a time nothing
-  /// moves in it. A picture of the same time as the last is taken for the same.
-  void take(DepthView depth_mm, std::optional<RoomTime> capture_time);
+  /// Of the sensor's newest picture.
+  void take(const PictureMotion& motion);
 
   /// Computes the velocities of the newest picture, whose cleaned surface is `depth_m`.
   void interpolate(const FlowInterpolation& program, const GlTexture& depth_m);
@@ -33,19 +38,17 @@ class SurfaceFlow {
 
   /// Of the newest picture.
   [[nodiscard]] std::optional<RoomTime> time() const { return time_; }
-  /// Metres per second of each pixel, in the sensor's frame; RGBA16F, of the lens's size. Zero until
-  /// they are interpolated.
+  /// Metres per second of each pixel, in the sensor's frame; RGBA16F, of the lens's size. Zero
+  /// until they are interpolated.
   [[nodiscard]] const GlTexture& velocities() const { return velocities_; }
 
  private:
-  [[nodiscard]] bool moves() const { return time_ && !flow_.is_still(); }
-
   int width_, height_;
-  scene_flow::SceneFlow flow_;
   GlTexture cells_;  // RGBA16F: scene_flow::CellFlow
   GlTexture velocities_;
   bool velocities_are_zero_ = true;
   std::optional<RoomTime> time_;
+  bool moves_ = false;
 };
 
 }  // namespace roomcast::render

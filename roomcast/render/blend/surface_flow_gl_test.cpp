@@ -5,6 +5,7 @@
 
 #include "roomcast/render/blend/surface_flow.h"
 #include "roomcast/render/room_fixture.h"
+#include "roomcast/scene_flow/room_flow.h"
 
 namespace roomcast::render {
 namespace {
@@ -38,7 +39,8 @@ class MovingBoard : public RoomTest, public ::testing::WithParamInterface<Render
   void show(SensorId id, const SensorPictures& pictures, nanoseconds after) {
     ASSERT_TRUE(room_->set_sensor(id, kMovingBoardLens, kMovingBoardPose).ok());
     time_ += after;
-    ASSERT_TRUE(room_->upload(id, pictures.depth_mm, pictures.color, pictures.seen, time_).ok());
+    const PictureMotion motion{time_, flow_.take(id, kMovingBoardLens, pictures.depth_mm, time_)};
+    ASSERT_TRUE(room_->upload(id, pictures.depth_mm, pictures.color, pictures.seen, motion).ok());
   }
 
   /// The columns of the board in the middle of the picture.
@@ -59,6 +61,7 @@ class MovingBoard : public RoomTest, public ::testing::WithParamInterface<Render
   }
 
   RoomTime time_{};
+  scene_flow::RoomFlow flow_;
 };
 INSTANTIATE_TEST_SUITE_P(Modes, MovingBoard,
                          ::testing::Values(RenderMode::kAdaptive, RenderMode::kBlend),

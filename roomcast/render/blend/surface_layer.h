@@ -36,9 +36,8 @@ using LayerProgram =
     DrawProgram<Vertex<shaders::eyes_glsl, shaders::surface_view_glsl, shaders::blend_surface_glsl,
                        shaders::blend_in_view_glsl, VertexShader>,
                 Fragment<shaders::blend_surface_glsl, FragmentShader>>;
-using AnyLayerProgram =
-    ProgramWith<shaders::eyes_glsl, shaders::surface_view_glsl, shaders::blend_surface_glsl,
-                shaders::blend_in_view_glsl>;
+using AnyLayerProgram = ProgramWith<shaders::eyes_glsl, shaders::surface_view_glsl,
+                                    shaders::blend_surface_glsl, shaders::blend_in_view_glsl>;
 
 class LayerPainter {
  public:

@@ -17,19 +17,20 @@ Result<RoomView> RoomView::create() {
 }
 
 // Continues after errors: one sensor that cannot be drawn must not freeze the others.
-Status RoomView::show(const client::RoomSnapshot& room) {
+Status RoomView::show(const client::RoomSnapshot& room, const RoomMotion& motion) {
   Status first_fault;
   people_.follow(room);
   const std::set<SensorId> late = late_sensors(room);
   for (const client::RoomSensor& sensor : room.sensors) {
-    auto status = show_sensor(sensor, late.contains(sensor.id));
+    auto status = show_sensor(sensor, late.contains(sensor.id), motion);
     if (!status && first_fault) first_fault = std::move(status);
   }
   return first_fault;
 }
 
 // Does not draw a sensor that is offline or has not sent anything: an old picture would look live.
-Status RoomView::show_sensor(const client::RoomSensor& sensor, bool is_late) {
+Status RoomView::show_sensor(const client::RoomSensor& sensor, bool is_late,
+                             const RoomMotion& motion) {
   if (!sensor.online || !sensor.picture || hidden_.contains(sensor.id)) {
     renderer_.remove(sensor.id);
     uploaded_.erase(sensor.id);
@@ -46,8 +47,10 @@ Status RoomView::show_sensor(const client::RoomSensor& sensor, bool is_late) {
   if (sensor.is_paused) return clear_surface(sensor, uploaded);
   if (uploaded.picture == sensor.picture && uploaded.lens == sensor.calibration.depth) return {};
   const codec::DecodedFrame& frame = sensor.picture->frame;
-  if (auto status = renderer_.upload(sensor.id, frame.depth_mm, frame.color, frame.color_seen,
-                                     sensor.picture->capture_time);
+  const auto moves = motion.find(sensor.id);
+  if (auto status = renderer_.upload(
+          sensor.id, frame.depth_mm, frame.color, frame.color_seen,
+          {sensor.picture->capture_time, moves != motion.end() ? moves->second.get() : nullptr});
       !status)
     return status;
   uploaded = {sensor.picture, sensor.calibration.depth};

@@ -13,6 +13,7 @@
 #include "roomcast/render/room_renderer.h"
 #include "roomcast/render/view/eyes.h"
 #include "roomcast/render/view/offscreen_target.h"
+#include "roomcast/viewer/motion/room_motion.h"
 #include "roomcast/viewer/people/people_view.h"
 
 namespace roomcast::viewer {
@@ -22,9 +23,9 @@ class RoomView {
   /// Needs a current GL context. Errors as RoomRenderer::create.
   static Result<RoomView> create();
 
-  /// Sets the room to draw. Errors as RoomRenderer::set_sensor and upload; after an error the other
-  /// sensors are drawn all the same.
-  Status show(const client::RoomSnapshot& room);
+  /// Sets the room to draw, and how its newest pictures move. Errors as RoomRenderer::set_sensor
+  /// and upload; after an error the other sensors are drawn all the same.
+  Status show(const client::RoomSnapshot& room, const RoomMotion& motion = {});
 
   /// What is new of the room's model, or all of it. Errors as RoomRenderer::set_model_piece; the
   /// other pieces are taken all the same.
@@ -52,7 +53,7 @@ class RoomView {
     CameraIntrinsics lens;  // a change of it clears the surface
     bool is_cleared = false;
   };
-  Status show_sensor(const client::RoomSensor& sensor, bool is_late);
+  Status show_sensor(const client::RoomSensor& sensor, bool is_late, const RoomMotion& motion);
   Status clear_surface(const client::RoomSensor& sensor, Uploaded& uploaded);
 
   render::RoomRenderer renderer_;
