@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <chrono>
+
 #include <gtest/gtest.h>
 
 #include "roomcast/render/gl/gl_context.h"
@@ -45,6 +47,19 @@ class RoomViewTest : public testing::Test {
     camera.world_from_view = render::world_from_view_looking_at({0, 1, 0}, {0, 1, -1});
     EXPECT_TRUE(view->draw(camera, *target, mode).ok());
     return target->read_color().at(kSide / 2, kSide / 2);
+  }
+
+  /// The first column in which the wall is seen.
+  int left_of_red() {
+    auto target = render::OffscreenTarget::create(kSide, kSide);
+    render::ViewCamera camera;
+    camera.width = camera.height = kSide;
+    camera.world_from_view = render::world_from_view_looking_at({0, 1, 1}, {0, 1, -1});
+    EXPECT_TRUE(view->draw(camera, *target, render::RenderMode::kAdaptive).ok());
+    const ColorImage picture = target->read_color();
+    int x = 0;
+    while (x < kSide && picture.at(x, kSide / 2).r < 150) ++x;
+    return x;
   }
 
   Result<render::EglContext> context = render::EglContext::create();
@@ -117,6 +132,27 @@ TEST_F(RoomViewTest, people_are_hidden_by_walls_and_hide_walls) {
   }
   const Rgb8 head = middle_of_picture();
   EXPECT_GT(head.b, head.r);
+}
+
+TEST_F(RoomViewTest, what_moves_is_drawn_between_the_times_of_two_sensors) {
+  client::RoomSnapshot room = room_with(wall({200, 10, 10}));
+  room.sensors[0].pose.source = PoseSource::kGiven;
+  client::RoomSensor later = room.sensors[0];
+  later.id = SensorId{1};
+  auto nothing = std::make_shared<client::SensorPicture>(*later.picture);
+  nothing->frame.depth_mm = DepthImage(kSide, kSide);
+  nothing->capture_time = RoomTime(std::chrono::milliseconds(60));
+  later.picture = nothing;
+  room.sensors.push_back(later);
+  ASSERT_TRUE(view->show(room).ok());
+  const int seen_at = left_of_red();
+
+  room.sensors[0].picture = wall({200, 10, 10});
+  constexpr int kCells = scene_flow::cells_along(kSide);
+  const auto rightwards = std::make_shared<const scene_flow::FlowField>(
+      kCells, kCells, scene_flow::CellFlow{{4, 0, 0}, 3});  // 12 cm in 30 ms
+  ASSERT_TRUE(view->show(room, {{SensorId{0}, rightwards}}).ok());
+  EXPECT_GE(left_of_red(), seen_at + 3);
 }
 
 TEST_F(RoomViewTest, a_sensor_without_a_picture_is_no_error) {
