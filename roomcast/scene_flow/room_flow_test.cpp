@@ -13,13 +13,7 @@ using namespace std::chrono_literals;
 constexpr SensorId kLeft{1}, kRight{2};
 
 CameraIntrinsics small_lens() {
-  CameraIntrinsics lens;
-  lens.width = 96;
-  lens.height = 64;
-  lens.fx = lens.fy = 90;
-  lens.cx = 47.5;
-  lens.cy = 31.5;
-  return lens;
+  return {.width = 96, .height = 64, .fx = 90, .fy = 90, .cx = 47.5, .cy = 31.5};
 }
 
 /// A board of 24x24 pixels, 1 m away, before a wall at 2 m.
