@@ -57,7 +57,8 @@ const scene_flow::CellFlow* flow_take(Flow* flow, double capture_us) {
   const RoomTime time(nanoseconds(static_cast<std::int64_t>(capture_us * 1000)));
   const CameraIntrinsics& lens = flow->lens;
   flow->flow.take({flow->depth_mm.data(), lens.width, lens.height, lens.width}, time);
-  return flow->flow.is_still() ? nullptr : flow->flow.field().data();
+  const scene_flow::FlowField* motion = flow->flow.motion();
+  return motion == nullptr ? nullptr : motion->data();
 }
 
 }  // extern "C"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How each point of a sensor's cleaned surface moves, in the grid, so that drawing it takes one lookup. The same rules as
-// roomcast/render/shaders/blend (velocity_at in blend_in_view.glsl, moves in adaptive_mesh.comp).
+// roomcast/render/shaders/blend (interpolate_flow.comp, moves in adaptive_mesh.comp).
 import { flowCell_px } from '../../codec/scene_flow';
 
 /**
