@@ -172,7 +172,8 @@ Result<FrameTimesRow> FrameTimes::measure(render::RenderMode mode, int sensors) 
   std::vector<double> with_new, without, gpu;
   int picture = 0;
   for (int i = 0; i < options_.frame_sets; ++i) {
-    const Motions motions = find_motion(flow, kept + i, sensors);  // the window: on another thread
+    const Motions motions =
+        find_motion(flow, kept + i, sensors);  // in the window: on another thread
     for (int j = 0; j < kPicturesPerFrameSet; ++j, ++picture) {
       glFinish();
       const auto begin = Clock::now();

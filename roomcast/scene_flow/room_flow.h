@@ -12,8 +12,8 @@ namespace roomcast::scene_flow {
 
 class RoomFlow {
  public:
-  /// Takes a sensor's next picture, of the lens's size; one of the same time as its last is taken
-  /// for the same. Null while nothing moves in it. Valid until the sensor's next picture.
+  /// Takes a sensor's next picture; one of the same time as its last is taken for the same. Null
+  /// while nothing moves in it. Valid until the sensor's next picture.
   const FlowField* take(SensorId sensor, const CameraIntrinsics& lens, DepthView depth_mm,
                         RoomTime capture_time);
 
@@ -22,7 +22,6 @@ class RoomFlow {
 
  private:
   struct Sensor {
-    CameraIntrinsics lens;
     SceneFlow flow;
     std::optional<RoomTime> time;
   };

@@ -25,12 +25,13 @@ SceneFlow::SceneFlow(const CameraIntrinsics& depth)
       field_(cells_along(depth.width), cells_along(depth.height)) {}
 
 void SceneFlow::take(DepthView depth_mm, RoomTime capture_time) {
+  is_still_ = true;
+  if (depth_mm.width != lens_.width || depth_mm.height != lens_.height) return;
   std::swap(newest_, earlier_);
   finder_.find(depth_mm, newest_);
   const Seconds passed = time_ ? capture_time - *time_ : Seconds(0);
   time_ = capture_time;
   field_.resize(newest_.width(), newest_.height());
-  is_still_ = true;
   if (passed <= Seconds(0) || passed > kMaxGap || finder_.share() > kMaxShare) return;
   if (finder_.cell_count() > kMaxForegroundCells) return;
   find_velocities(passed.count());

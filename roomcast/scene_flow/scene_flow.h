@@ -34,12 +34,13 @@ class SceneFlow {
  public:
   explicit SceneFlow(const CameraIntrinsics& depth);
 
-  /// Takes the sensor's next picture, of the lens's size. Nothing moves in the first one, in one
-  /// that is not newer than the last or by more than 0.25 s, and while most of what is read is
-  /// foreground, because then the sensor itself was moved; nor while the foreground has more than
-  /// kMaxForegroundCells cells, so that the time is bounded.
+  /// Takes the sensor's next picture; one of another size than the lens only ends the motion.
+  /// Nothing moves in the first one, in one that is not newer than the last or by more than 0.25 s,
+  /// and while most of what is read is foreground, because then the sensor itself was moved; nor
+  /// while the foreground has more than kMaxForegroundCells cells, so that the time is bounded.
   void take(DepthView depth_mm, RoomTime capture_time);
 
+  [[nodiscard]] const CameraIntrinsics& lens() const { return lens_; }
   /// In the newest picture. By cells: cells_along() the picture's sides.
   [[nodiscard]] const FlowField& field() const { return field_; }
   /// The same; null while nothing moves.

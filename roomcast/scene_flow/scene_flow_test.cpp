@@ -136,5 +136,13 @@ TEST_F(BallBeforeWall, a_sensor_that_is_moved_shows_nothing_that_moves) {
   EXPECT_EQ(in_middle().limit_m, 0);
 }
 
+TEST_F(BallBeforeWall, is_not_known_to_move_in_a_picture_of_another_size) {
+  take(ball({0, 0, 2}), 33ms);
+  take(ball({0.033, 0, 2}), 33ms);
+  EXPECT_NE(flow_.motion(), nullptr);
+  take(DepthImage(lens().width / 2, lens().height, 4000), 33ms);
+  EXPECT_EQ(flow_.motion(), nullptr);
+}
+
 }  // namespace
 }  // namespace roomcast::scene_flow

@@ -8,7 +8,6 @@
 #include "roomcast/core/assert.h"
 
 namespace roomcast::render {
-
 namespace {
 
 void set_to_zero(const GlTexture& texture) {

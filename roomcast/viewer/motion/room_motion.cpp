@@ -7,23 +7,12 @@
 #include "roomcast/core/parallel_rows.h"
 
 namespace roomcast::viewer {
-namespace {
-
-/// Between a change of the lens and the next picture they differ.
-bool has_size_of_lens(const client::RoomSensor& sensor) {
-  const CameraIntrinsics& lens = sensor.calibration.depth;
-  const DepthImage& depth_mm = sensor.picture->frame.depth_mm;
-  return depth_mm.width() == lens.width && depth_mm.height() == lens.height;
-}
-
-}  // namespace
 
 MotionFinder::Sensor& MotionFinder::known(const client::RoomSensor& sensor) {
   const CameraIntrinsics& lens = sensor.calibration.depth;
   const auto found = sensors_.find(sensor.id);
-  if (found != sensors_.end() && found->second.lens == lens) return found->second;
-  const Sensor first{lens, scene_flow::SceneFlow(lens)};
-  return sensors_.insert_or_assign(sensor.id, first).first->second;
+  if (found != sensors_.end() && found->second.flow.lens() == lens) return found->second;
+  return sensors_.insert_or_assign(sensor.id, Sensor{scene_flow::SceneFlow(lens)}).first->second;
 }
 
 void MotionFinder::forget_others(const client::RoomSnapshot& room) {
@@ -37,7 +26,7 @@ RoomMotion MotionFinder::find(const client::RoomSnapshot& room) {
   forget_others(room);
   std::vector<Sensor*> fresh;
   for (const client::RoomSensor& sensor : room.sensors) {
-    if (!sensor.picture || !has_size_of_lens(sensor)) continue;
+    if (!sensor.picture) continue;
     Sensor& of = known(sensor);
     if (of.picture == sensor.picture) continue;
     of.picture = sensor.picture;

@@ -23,7 +23,6 @@ class MotionFinder {
 
  private:
   struct Sensor {
-    CameraIntrinsics lens;
     scene_flow::SceneFlow flow;
     std::shared_ptr<const client::SensorPicture> picture = nullptr;  // the last that was taken
     std::shared_ptr<const scene_flow::FlowField> motion = nullptr;   // of it
