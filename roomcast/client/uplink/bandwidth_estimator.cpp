@@ -31,18 +31,24 @@ constexpr auto kPartOfLook = 80ms;
 // Growth, per second, as a logarithm.
 const double kStartGrowth = std::log(4.0), kReturnGrowth = std::log(2.0),
              kMaxGrowth = std::log(4.0);
-constexpr double kCarefulGrowth = 0.1;
+constexpr double kCarefulGrowth = 0.25;
 constexpr double kNear = 0.85, kBeyond = 1.04;  // of the last capacity
 constexpr double kGrowthDoubles_s = 0.25;
-constexpr double kFairGrowth = 12'000;  // bytes/s each second
+constexpr double kFairGrowth = 6'000;  // bytes/s each second
 constexpr double kBelowBbr = 0.95;
 
 constexpr auto kUseLook = 1s;
-constexpr double kUsed = 0.6;    // of the rate; a rate that is not used is not proved
-constexpr double kAgeing = 0.1;  // per second, of a rate that is not used
-constexpr auto kQueue = 25ms;    // of round trip above the least
-constexpr double kQueueShare = 0.25;
+constexpr double kUsed = 0.7;              // of the rate; a rate that is not used is not proved
+constexpr double kAgeing = 0.1;            // per second, of a rate that is not used
 constexpr double kRoundTripAgeing = 0.01;  // per second: the way may have become longer
+
+// A queue is what a round trip takes longer than the least one, by more than other senders' frames
+// add. It stands if it has not been shorter for a while, or a shorter while if it overflows.
+constexpr auto kQueue = 30ms;
+constexpr double kQueueShare = 0.25;  // of the least round trip
+constexpr auto kStandingLook = 400ms, kOverflowLook = 200ms;
+constexpr double kDrain_s = 1;  // in which the queue leaves
+constexpr double kMinDrain = 0.75;
 
 double seconds_of(nanoseconds time) {
   return std::chrono::duration<double>(time).count();
@@ -64,13 +70,15 @@ void BandwidthEstimator::add(const Reading& reading) {
   }
   const double seconds = goes_on ? seconds_of(reading.time - moments_.back().time) : 0;
   observe(reading);
+  room_ = room_in_queue(reading);
   if (goes_on) {
     if (const auto delivered_per_s = overload(reading))
       cut(*delivered_per_s, reading.time);
-    else
+    else if (!drain(reading))
       grow(reading, seconds);
   }
-  moments_.push_back({reading.time, reading.delivered_bytes, reading.resent_packets, rate_});
+  moments_.push_back(
+      {reading.time, reading.delivered_bytes, reading.resent_packets, reading.round_trip, rate_});
   while (moments_.front().time < reading.time - kMemory) moments_.pop_front();
 }
 
@@ -106,7 +114,8 @@ std::optional<double> BandwidthEstimator::overload(const Reading& reading) const
   const double delivered = delivered_since(begin, reading);
   if (delivered < kMinBytesOfLook) return std::nullopt;
   const bool has_losses = has_resent_since(begin, reading);
-  if (has_losses && full < long_look) return std::nullopt;
+  const nanoseconds least_look = room_ > 0 ? long_look : nanoseconds(kOverflowLook);
+  if (has_losses && full < least_look) return std::nullopt;
   const double per_s = has_losses ? best_part_since(begin, reading) : delivered / seconds_of(look);
   // Bytes that arrive now were sent a round trip ago, at the rate of that time.
   const double sent = std::min(rate_, rate_before(reading.time - reading.round_trip));
@@ -122,6 +131,40 @@ void BandwidthEstimator::cut(double delivered_per_s, HostTime now) {
   full_since_ = now;
 }
 
+/// The shortest queue of this look; 0: there is not so much to look back on.
+nanoseconds BandwidthEstimator::standing_queue(const Reading& reading, nanoseconds look) const {
+  if (least_round_trip_ == nanoseconds::max() || moments_.empty() ||
+      moments_.front().time > reading.time - look)
+    return 0ns;
+  nanoseconds least = reading.round_trip;
+  for (auto moment = moments_.rbegin();
+       moment != moments_.rend() && moment->time >= reading.time - look; ++moment)
+    least = std::min(least, moment->round_trip);
+  return least - least_round_trip_;
+}
+
+/// Cuts the rate while a queue stands. Senders that share a line may each find the time to send all
+/// they have while together they keep its queue full, so that none takes the line for full. What is
+/// delivered is then this one's share of the line, and a little less lets the queue leave.
+bool BandwidthEstimator::drain(const Reading& reading) {
+  if (reading.is_probing_round_trip || reading.time < next_drain_) return false;
+  const bool has_losses = has_resent_since(reading.time - kOverflowLook, reading);
+  const nanoseconds look = has_losses ? kOverflowLook : kStandingLook;
+  const nanoseconds queue = standing_queue(reading, look);
+  if (queue <= longest_passing_queue()) return false;
+  const double delivered = delivered_since(reading.time - look, reading);
+  if (delivered < kMinBytesOfLook) return false;
+  const double per_s =
+      has_losses ? best_part_since(reading.time - look, reading) : delivered / seconds_of(look);
+  const double rate = per_s * std::max(1 - seconds_of(queue) / kDrain_s, kMinDrain);
+  if (rate >= rate_) return false;
+  capacity_ = per_s;
+  rate_ = std::max({rate, kMaxCut * rate_, kMin});
+  growth_ = kCarefulGrowth;
+  next_drain_ = next_cut_ = reading.time + kStandingLook;
+  return true;
+}
+
 void BandwidthEstimator::grow(const Reading& reading, double seconds) {
   const bool is_full = full_since_ && reading.time - *full_since_ >= kShortLook;
   if (reading.is_probing_round_trip || is_full) return;
@@ -134,8 +177,9 @@ void BandwidthEstimator::grow(const Reading& reading, double seconds) {
   // Pauses between frames may hide that the line is slower; BBR does not need a line that is full.
   if (reading.bbr_bytes_per_s > 0 && rate_ > reading.bbr_bytes_per_s)
     rate_ = std::max(kBelowBbr * reading.bbr_bytes_per_s, rate_ * (1 - kAgeing * seconds));
-  if (has_queue(reading)) return;
-  double grown = rate_ * std::exp(growth_per_s(seconds) * seconds) + kFairGrowth * seconds;
+  if (room_ <= 0) return;
+  const double growth = room_ * room_ * growth_per_s(room_ * seconds);
+  double grown = rate_ * std::exp(growth * seconds) + kFairGrowth * seconds;
   if (reading.bbr_bytes_per_s > 0) grown = std::min(grown, kBelowBbr * reading.bbr_bytes_per_s);
   rate_ = std::clamp(std::max(rate_, grown), kMin, kMax);
 }
@@ -166,9 +210,15 @@ double BandwidthEstimator::used_share(const Reading& reading) const {
   return delivered_since(reading.time - kUseLook, reading) / allowed;
 }
 
-bool BandwidthEstimator::has_queue(const Reading& reading) const {
-  if (least_round_trip_ == nanoseconds::max()) return false;
-  return reading.round_trip > times(1 + kQueueShare, least_round_trip_) + kQueue;
+/// What a line without a lasting queue may show for a moment.
+nanoseconds BandwidthEstimator::longest_passing_queue() const {
+  return times(kQueueShare, least_round_trip_) + kQueue;
+}
+
+double BandwidthEstimator::room_in_queue(const Reading& reading) const {
+  if (least_round_trip_ == nanoseconds::max()) return 1;
+  const double queue_s = seconds_of(reading.round_trip - least_round_trip_);
+  return std::clamp(1 - queue_s / seconds_of(longest_passing_queue()), 0.0, 1.0);
 }
 
 double BandwidthEstimator::rate_before(HostTime time) const {

@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kReadEvery{20};
 // Frames leave in less than the time until the next, so that the line shows whether it has more.
-// BBR itself measures the line only by what is sent.
+// BBR itself measures the line only by what is sent. Where the line has a queue, more than the rate
+// would only make it longer.
 constexpr double kPaceMargin = 1.15, kPaceMarginWithBbr = 1.4;
 
 }  // namespace
@@ -33,7 +34,8 @@ void UplinkMonitor::read() {
   const double rate = estimator_.bytes_per_s();
   bytes_per_s_ = rate;
   unsent_bytes_ = line->unsent_bytes;
-  line_.set_pace(rate * (line->bbr_bytes_per_s > 0 ? kPaceMarginWithBbr : kPaceMargin));
+  const double margin = line->bbr_bytes_per_s > 0 ? kPaceMarginWithBbr : kPaceMargin;
+  line_.set_pace(rate * (1 + estimator_.room() * (margin - 1)));
 }
 
 }  // namespace roomcast::client
