@@ -12,8 +12,10 @@
 #include <fmt/format.h>
 
 #include "bench/render/aligned_poses.h"
+#include "bench/render/judged_views.h"
 #include "bench/render/rig_frames.h"
 #include "bench/render/rig_model.h"
+#include "bench/render/silhouette_score.h"
 #include "roomcast/io/image_file.h"
 #include "roomcast/recording/modeler/model_pieces.h"
 #include "roomcast/render/gl/gl_context.h"
@@ -39,13 +41,6 @@ RigidTransform disturbed(const RigidTransform& pose, const RenderBenchOptions& o
   const Eigen::Vector3d shift = 1e-3 * options.pose_error_mm * random_direction(random);
   return {turn * pose.rotation, pose.translation_m + shift};
 }
-
-/// A view, its ground truth and its pixel classes.
-struct JudgedView {
-  TruthViewEntry entry;
-  TruthView truth;
-  ViewClasses classes;
-};
 
 using FrameFile = std::vector<recording::RecordedFrame>::const_iterator;
 
@@ -105,30 +100,9 @@ class RenderBench {
 
 Status RenderBench::judge_views() {
   report_progress("true views");
-  std::map<std::pair<int, int>, TruthView> truths;
-  for (const TruthViewEntry& entry : views_.entries) {
-    auto truth = load(entry);
-    if (!truth) return truth.error();
-    truths.emplace(std::pair(entry.view, entry.instant), *std::move(truth));
-  }
-  std::map<int, std::vector<ColorSight>> sights;
-  for (const TruthViewEntry& entry : views_.entries) {
-    if (sights.contains(entry.instant)) continue;
-    for (std::size_t s = 0; s < frames_.sensors().size(); ++s) {
-      auto sensor = frames_.truth(frames_.sensors()[s], entry.frames[s]);
-      if (!sensor) return sensor.error();
-      sights[entry.instant].emplace_back(*sensor);
-    }
-  }
-  for (const TruthViewEntry& entry : views_.entries) {
-    const auto other = std::ranges::find_if(views_.entries, [&](const TruthViewEntry& e) {
-      return e.view == entry.view && e.instant != entry.instant;
-    });
-    const TruthView& now = truths.at({entry.view, entry.instant});
-    const TruthView& then =
-        other == views_.entries.end() ? now : truths.at({other->view, other->instant});
-    judged_.push_back({entry, now, classify(entry, now, then, sights.at(entry.instant))});
-  }
+  auto views = read_judged_views(views_.entries, frames_);
+  if (!views) return views.error();
+  judged_ = *std::move(views);
   return {};
 }
 
@@ -299,8 +273,13 @@ Status RenderBench::write_picture(const JudgedView& view, render::RenderMode mod
   std::error_code error;
   std::filesystem::create_directories(*options_.pictures, error);
   const auto name =
-      fmt::format("view{}_t{}_{}.png", view.entry.view, view.entry.instant, name_of(mode));
-  return io::write_color_png(*options_.pictures / name, drawn.color);
+      fmt::format("view{}_t{}_{}", view.entry.view, view.entry.instant, name_of(mode));
+  auto status = io::write_color_png(*options_.pictures / (name + ".png"), drawn.color);
+  if (!status) return status;
+  const auto errors = find_errors(drawn.depth_m, view.truth, view.classes.silhouette);
+  if (std::isnan(errors.missing_share)) return {};
+  return io::write_color_png(*options_.pictures / (name + "_silhouette.png"),
+                             picture_of(errors, view.classes.silhouette, drawn.color));
 }
 
 /// The next frame of every sensor; nothing where a sensor has no next frame or has lost it.

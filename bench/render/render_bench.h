@@ -2,7 +2,8 @@
 // `roomcast bench render`: image quality from viewpoints without a sensor, for every render mode,
 // on a rig with true views; and the cost of drawing relative to points of one pixel (the paper's
 // method) in the same run and on the same driver. Frames are registered but not encoded. The
-// renderer's background model has seen all frames of the recording except the compared ones.
+// renderer's background model has seen all frames of the recording except the compared ones. People
+// are judged by their silhouettes, too (silhouette.h).
 #pragma once
 
 #include <cstdint>

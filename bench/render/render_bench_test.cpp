@@ -53,6 +53,20 @@ TEST_F(RenderBenchTest, the_model_shows_the_room_without_its_sensors) {
   EXPECT_LT(report->rows.at(0).score.holes, 0.1);
 }
 
+TEST_F(RenderBenchTest, what_stands_where_a_frame_shows_something_farther_has_a_silhouette) {
+  ASSERT_NO_FATAL_FAILURE(write_rig());
+  const fs::path frame = folder / "rig" / "truth" / "s0" / "000000.png";
+  const DepthImage farther(kLens.width, kLens.height, 3000);
+  ASSERT_TRUE(io::write_depth_png(frame, farther).ok());
+  RenderBenchOptions options{.rig = folder / "rig", .modes = {render::RenderMode::kMesh}};
+  options.pictures = folder / "drawn";
+  const auto report = run_render_bench(options, {});
+  ASSERT_TRUE(report.ok()) << report.error().message;
+  EXPECT_LT(report->rows.at(0).score.silhouette_missing, 0.06);
+  EXPECT_EQ(report->rows.at(0).score.silhouette_doubled, 0);
+  EXPECT_TRUE(fs::exists(folder / "drawn" / "view0_t0_mesh_silhouette.png"));
+}
+
 TEST_F(RenderBenchTest, judges_every_mode) {
   ASSERT_NO_FATAL_FAILURE(write_rig());
   RenderBenchOptions options{.rig = folder / "rig"};
@@ -75,6 +89,8 @@ TEST_F(RenderBenchTest, judges_every_mode) {
   print_json(*report, json);
   print_table(*report, table);
   EXPECT_EQ(nlohmann::json::parse(json.str()).at("rows").size(), report->rows.size());
+  EXPECT_TRUE(nlohmann::json::parse(json.str()).at("rows").at(0).at("silhouette_missing").is_null())
+      << "nothing moves";
   EXPECT_NE(table.str().find("mesh"), std::string::npos);
   EXPECT_NE(table.str().find("two eyes at once"), std::string::npos);
 }

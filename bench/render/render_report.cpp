@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <ostream>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -33,23 +35,29 @@ void print_stereo(const RenderReport& report, std::ostream& out) {
 void print_table(const RenderReport& report, std::ostream& out) {
   out << fmt::format("{}: {} sensors, {} views of {}x{}, simulated; {}\n", report.rig,
                      report.sensors, report.views, report.width, report.height, report.driver);
-  out << fmt::format("{:<8} {:>13} {:>13} {:>13} {:>7} {:>7} {:>8} {:>7} {:>8} {:>9} {:>8} {:>8}\n",
-                     "mode", "visible", "with colour", "covered", "moving", "holes", "floaters",
-                     "wrong", "flicker", "upload", "draw", "points=1");
+  out << fmt::format(
+      "{:<8} {:>13} {:>13} {:>13} {:>7} {:>7} {:>8} {:>7} {:>12} {:>8} {:>9} {:>8} {:>8}\n", "mode",
+      "visible", "with colour", "covered", "moving", "holes", "floaters", "wrong", "person",
+      "flicker", "upload", "draw", "points=1");
   const auto quality = [](double psnr, double ssim) {
     return fmt::format("{:.2f} / {:.3f}", psnr, ssim);
+  };
+  const auto person = [](const ViewScore& s) -> std::string {
+    if (std::isnan(s.silhouette_missing)) return "-";
+    return fmt::format("{:.1f}+{:.1f}%", 100 * s.silhouette_missing, 100 * s.silhouette_doubled);
   };
   for (const RenderRow& row : report.rows) {
     const ViewScore& s = row.score;
     out << fmt::format(
-        "{:<8} {:>13} {:>13} {:>13} {:>7.2f} {:>6.2f}% {:>7.2f}% {:>6.2f}% {:>8.2f} {:>6.1f} ms "
-        "{:>5.0f} ms "
-        "{:>8}\n",
+        "{:<8} {:>13} {:>13} {:>13} {:>7} {:>6.2f}% {:>7.2f}% {:>6.2f}% {:>12} {:>8.2f} "
+        "{:>6.1f} ms {:>5.0f} ms {:>8}\n",
         row.mode, quality(s.psnr_visible, s.ssim_visible), quality(s.psnr_colored, s.ssim_colored),
-        quality(s.psnr_covered, s.ssim_covered), s.psnr_moving, 100 * s.holes, 100 * s.floaters,
-        100 * s.wrong_depth, row.flicker_levels, row.upload_cpu_ms, row.draw_cpu_ms,
-        fmt::format("{:.2f}", cost_vs_points(row)));
+        quality(s.psnr_covered, s.ssim_covered),
+        std::isnan(s.psnr_moving) ? "-" : fmt::format("{:.2f}", s.psnr_moving), 100 * s.holes,
+        100 * s.floaters, 100 * s.wrong_depth, person(s), row.flicker_levels, row.upload_cpu_ms,
+        row.draw_cpu_ms, fmt::format("{:.2f}", cost_vs_points(row)));
   }
+  out << "person: of the silhouettes of people, what is missing + what is drawn twice\n";
   print_stereo(report, out);
 }
 
@@ -77,6 +85,8 @@ void print_json(const RenderReport& report, std::ostream& out) {
                             {"floaters", s.floaters},
                             {"wrong_depth", s.wrong_depth},
                             {"covered", s.covered},
+                            {"silhouette_missing", s.silhouette_missing},
+                            {"silhouette_doubled", s.silhouette_doubled},
                             {"flicker_levels", row.flicker_levels},
                             {"upload_cpu_ms", row.upload_cpu_ms},
                             {"draw_cpu_ms", row.draw_cpu_ms},

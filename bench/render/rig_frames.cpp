@@ -2,6 +2,7 @@
 #include "bench/render/rig_frames.h"
 
 #include <algorithm>
+#include <charconv>
 #include <string>
 #include <utility>
 
@@ -53,6 +54,20 @@ Status RigFrames::read(Sensor& sensor, std::uint64_t number, RegisteredFrame& ou
   if (auto status = reader_.read_color(file->color, color, color_); !status) return status;
   if (sensor.completion) sensor.completion->complete(out.depth_mm, color_);
   return sensor.registration.run(out.depth_mm, color_, out.color);
+}
+
+std::vector<std::uint64_t> RigFrames::truth_numbers(const Sensor& sensor) {
+  std::vector<std::uint64_t> numbers;
+  std::error_code error;
+  for (const auto& file : std::filesystem::directory_iterator(sensor.truth, error)) {
+    const std::string name = file.path().stem().string();
+    std::uint64_t number = 0;
+    const auto read = std::from_chars(name.data(), name.data() + name.size(), number);
+    const bool is_number = read.ec == std::errc() && read.ptr == name.data() + name.size();
+    if (is_number && file.path().extension() == ".png") numbers.push_back(number);
+  }
+  std::ranges::sort(numbers);
+  return numbers;
 }
 
 Result<TrueSensor> RigFrames::truth(const Sensor& sensor, std::uint64_t number) {

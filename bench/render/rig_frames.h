@@ -50,6 +50,8 @@ class RigFrames {
 
   /// Reads the frame with this number. kNotFound: the frame was lost.
   [[nodiscard]] Status read(Sensor& sensor, std::uint64_t number, RegisteredFrame& out);
+  /// The frames that have noise-free depth, also lost ones, in their order.
+  [[nodiscard]] static std::vector<std::uint64_t> truth_numbers(const Sensor& sensor);
   [[nodiscard]] Result<TrueSensor> truth(const Sensor& sensor, std::uint64_t number);
 
  private:

@@ -41,6 +41,16 @@ TruthViewEntry entry_from_json(const json& file, const json& view,
 
 }  // namespace
 
+ViewPoints::ViewPoints(const render::ViewCamera& camera)
+    : world_from_optical_(camera.world_from_view * render::optical_from_view().inverse()),
+      focal_px_(render::focal_length_px(camera)),
+      middle_px_(0.5 * (camera.width - 1), 0.5 * (camera.height - 1)) {}
+
+Eigen::Vector3d ViewPoints::at(int x, int y, double depth_m) const {
+  const Eigen::Vector2d slope = (Eigen::Vector2d(x, y) - middle_px_) / focal_px_;
+  return world_from_optical_ * Eigen::Vector3d(slope.x() * depth_m, slope.y() * depth_m, depth_m);
+}
+
 Result<TruthViews> read_truth_views(const fs::path& rig_folder) {
   const fs::path path = rig_folder / "truth" / "views.json";
   std::ifstream stream(path);

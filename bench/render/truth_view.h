@@ -35,6 +35,19 @@ struct TruthView {
   MaskImage seen;       // bit i: sensor i sees the surface now
 };
 
+/// The surface points of a true view, in the world.
+class ViewPoints {
+ public:
+  explicit ViewPoints(const render::ViewCamera& camera);
+  /// `depth_m` along the eye's axis.
+  [[nodiscard]] Eigen::Vector3d at(int x, int y, double depth_m) const;
+
+ private:
+  RigidTransform world_from_optical_;
+  double focal_px_;
+  Eigen::Vector2d middle_px_;
+};
+
 /// kNotFound: there is no such file. kMalformed, naming the file: it is not as above.
 [[nodiscard]] Result<TruthViews> read_truth_views(const std::filesystem::path& rig_folder);
 

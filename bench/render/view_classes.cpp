@@ -99,21 +99,17 @@ bool ColorSight::sees(const Eigen::Vector3d& point_world) const {
 }
 
 ViewClasses classify(const TruthViewEntry& entry, const TruthView& now,
-                     const TruthView& other_instant, std::span<const ColorSight> sights) {
+                     const TruthView& other_instant, std::span<const ColorSight> sights,
+                     std::span<const StillBackground> backgrounds) {
   ViewClasses classes{MaskImage(now.color.width(), now.color.height()),
-                      moving_pixels(now, other_instant)};
-  const double focal_px = render::focal_length_px(entry.camera);
-  const RigidTransform world_from_optical =
-      entry.camera.world_from_view * render::optical_from_view().inverse();
+                      moving_pixels(now, other_instant),
+                      find_silhouette(entry.camera, now, backgrounds)};
+  const ViewPoints points(entry.camera);
   for (int y = 0; y < now.color.height(); ++y) {
     for (int x = 0; x < now.color.width(); ++x) {
       const unsigned seen = now.seen.at(x, y);
       if (seen == 0) continue;
-      const double z_m = 0.001 * now.depth_mm.at(x, y);
-      const Eigen::Vector3d point =
-          world_from_optical *
-          Eigen::Vector3d((x - 0.5 * (now.color.width() - 1)) / focal_px * z_m,
-                          (y - 0.5 * (now.color.height() - 1)) / focal_px * z_m, z_m);
+      const Eigen::Vector3d point = points.at(x, y, 0.001 * now.depth_mm.at(x, y));
       for (std::size_t s = 0; s < sights.size() && classes.colored.at(x, y) == 0; ++s) {
         if ((seen >> s & 1U) != 0 && sights[s].sees(point)) classes.colored.at(x, y) = 255;
       }

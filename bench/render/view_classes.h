@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Classifies the pixels of a true view: surfaces seen by a sensor, surfaces whose colour is also
-// seen by a sensor's colour camera, and moving surfaces. After the baseline of this renderer: 6 cm
-// + 2 % tolerance for a colour camera's line of sight; moving: a difference between two times of
-// more than 10 grey levels or 3 cm, and 2 pixels around it.
+// seen by a sensor's colour camera, moving surfaces, and silhouettes (silhouette.h). After the
+// baseline of this renderer: 6 cm + 2 % tolerance for a colour camera's line of sight; moving: a
+// difference between two times of more than 10 grey levels or 3 cm, and 2 pixels around it.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "bench/render/silhouette.h"
 #include "bench/render/truth_view.h"
 #include "roomcast/core/image.h"
 #include "roomcast/geometry/camera_model.h"
@@ -24,6 +25,7 @@ struct TrueSensor {
 struct ViewClasses {
   MaskImage colored;  // seen by a sensor and by its colour camera
   MaskImage moving;
+  Silhouette silhouette = {};  // without pixels where it is not known
 };
 
 /// Decides which points a colour camera sees, taking occlusion into account.
@@ -40,6 +42,7 @@ class ColorSight {
 
 [[nodiscard]] ViewClasses classify(const TruthViewEntry& entry, const TruthView& now,
                                    const TruthView& other_instant,
-                                   std::span<const ColorSight> sights);
+                                   std::span<const ColorSight> sights,
+                                   std::span<const StillBackground> backgrounds);
 
 }  // namespace roomcast::bench

@@ -43,7 +43,7 @@ TEST(Classify, differences_between_two_instants_move_with_a_border_and_specks_do
   TruthView then = now;
   render::fill_box(then.color, 10, 10, 20, 20, render::kGreen);
   then.color.at(30, 30) = render::kBlue;
-  const ViewClasses classes = classify(entry, now, then, {});
+  const ViewClasses classes = classify(entry, now, then, {}, {});
   EXPECT_NE(classes.moving.at(15, 15), 0);
   EXPECT_NE(classes.moving.at(8, 15), 0);
   EXPECT_EQ(classes.moving.at(7, 15), 0);
@@ -59,7 +59,7 @@ TEST(Classify, colour_is_valid_where_both_cameras_of_a_sensor_see_the_surface) {
   TruthView now{ColorImage(64, 48, render::kRed), DepthImage(64, 48, 2000), MaskImage(64, 48, 1)};
   render::fill_box<std::uint8_t>(now.seen, 0, 0, 64, 10, 2);  // seen by another sensor only
   const std::vector<ColorSight> sights = {ColorSight(sensor_before(DepthImage(64, 48, 2000)))};
-  const ViewClasses classes = classify(entry, now, now, sights);
+  const ViewClasses classes = classify(entry, now, now, sights, {});
   EXPECT_NE(classes.colored.at(40, 24), 0);
   EXPECT_EQ(classes.colored.at(40, 5), 0);
 }

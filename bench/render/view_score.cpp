@@ -9,10 +9,11 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "bench/render/depth_tolerance.h"
+#include "bench/render/silhouette_score.h"
+
 namespace roomcast::bench {
 namespace {
-
-constexpr float kTolerance_m = 0.06F, kTolerancePer_m = 0.03F;
 
 cv::Mat grey_of(const ColorImage& image) {
   cv::Mat grey(image.height(), image.width(), CV_32F);
@@ -88,7 +89,7 @@ ViewScore score(const DrawnView& drawn, const TruthView& truth, const ViewClasse
         continue;
       }
       if (true_m <= 0) continue;
-      const float tolerance = std::max(kTolerance_m, kTolerancePer_m * true_m);
+      const float tolerance = static_cast<float>(depth_tolerance_m(static_cast<double>(true_m)));
       judged += 1;
       floaters += z_m < true_m - tolerance;
       wrong += std::abs(z_m - true_m) > tolerance;
@@ -96,6 +97,7 @@ ViewScore score(const DrawnView& drawn, const TruthView& truth, const ViewClasse
   }
   const double psnr_moving =
       moving.pixels > 0 ? moving.psnr_db() : std::numeric_limits<double>::quiet_NaN();
+  const SilhouetteErrors person = find_errors(drawn.depth_m, truth, classes.silhouette);
   const auto share = [](double of, double whole) { return whole > 0 ? of / whole : 0; };
   return {picture.psnr_db(),
           picture.mean_ssim(),
@@ -109,7 +111,9 @@ ViewScore score(const DrawnView& drawn, const TruthView& truth, const ViewClasse
           share(holes, visible.pixels),
           share(floaters, judged),
           share(wrong, judged),
-          share(covered.pixels, picture.pixels)};
+          share(covered.pixels, picture.pixels),
+          person.missing_share,
+          person.doubled_share};
 }
 
 ViewScore mean(const std::vector<ViewScore>& scores) {
@@ -118,14 +122,15 @@ ViewScore mean(const std::vector<ViewScore>& scores) {
        {&ViewScore::psnr_all, &ViewScore::ssim_all, &ViewScore::psnr_covered,
         &ViewScore::ssim_covered, &ViewScore::psnr_visible, &ViewScore::ssim_visible,
         &ViewScore::psnr_colored, &ViewScore::ssim_colored, &ViewScore::psnr_moving,
-        &ViewScore::holes, &ViewScore::floaters, &ViewScore::wrong_depth, &ViewScore::covered}) {
+        &ViewScore::holes, &ViewScore::floaters, &ViewScore::wrong_depth, &ViewScore::covered,
+        &ViewScore::silhouette_missing, &ViewScore::silhouette_doubled}) {
     double count = 0;
     for (const ViewScore& one : scores) {
       if (std::isnan(one.*field)) continue;
       sum.*field += one.*field;
       count += 1;
     }
-    sum.*field /= std::max(count, 1.0);
+    sum.*field /= count;
   }
   return sum;
 }

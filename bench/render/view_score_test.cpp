@@ -99,5 +99,22 @@ TEST(ViewScore, the_mean_is_field_by_field) {
   EXPECT_DOUBLE_EQ(both.holes, 0.2);
 }
 
+TEST(ViewScore, a_silhouette_is_judged_in_the_views_that_have_one) {
+  Scene scene;
+  const ViewScore without = score(scene.drawn, scene.truth, scene.classes);
+  EXPECT_TRUE(std::isnan(without.silhouette_missing));
+  EXPECT_TRUE(std::isnan(mean({without}).silhouette_doubled));
+  scene.classes.silhouette.mask = MaskImage(kSide, kSide, 255);
+  scene.classes.silhouette.reach_m = Image<float>(kSide, kSide, 2.3F);
+  for (int y = 0; y < kSide; ++y) {
+    scene.drawn.depth_m.at(0, y) = 0;
+    scene.drawn.depth_m.at(1, y) = scene.drawn.depth_m.at(2, y) = 1.8F;
+  }
+  const ViewScore with = score(scene.drawn, scene.truth, scene.classes);
+  EXPECT_DOUBLE_EQ(with.silhouette_missing, 1.0 / kSide);
+  EXPECT_DOUBLE_EQ(with.silhouette_doubled, 2.0 / kSide);
+  EXPECT_DOUBLE_EQ(mean({without, with}).silhouette_missing, 1.0 / kSide);
+}
+
 }  // namespace
 }  // namespace roomcast::bench

@@ -58,7 +58,9 @@ void add_render_bench(CLI::App& bench, Command& chosen) {
                     "Leave depth as recorded, as roomcast sensor --keep-holes");
   command->add_flag("--model", options->model,
                     "Show the model of what stands still where no sensor shows anything");
-  command->add_option("--pictures", options->pictures, "Write the pictures into this folder");
+  command->add_option("--pictures", options->pictures,
+                      "Write the pictures into this folder, and where people are missing (red) or "
+                      "doubled (blue)");
   command->add_flag("--stereo", options->stereo,
                     "Also compare drawing both eyes in one pass with one after the other");
   command->add_flag("--json", *json, "Print JSON");
