@@ -140,7 +140,7 @@ TEST_F(OpenNi2, a_camera_that_is_unplugged_and_plugged_in_again_goes_on) {
 }
 
 TEST_F(OpenNi2, a_recorded_file_plays_to_its_end) {
-  const fs::path file = record(6);
+  const fs::path file = record(30);
   unplug();
   const auto source = open(file, false);
   ASSERT_TRUE(source);
@@ -150,7 +150,9 @@ TEST_F(OpenNi2, a_recorded_file_plays_to_its_end) {
     expect_virtual_camera(frame);
     ++frames;
   }
-  EXPECT_GE(frames, 3);  // more than were read, if the camera was faster
+  // Of 30 frames: OpenNI's recorder leaves out what it has no time for on a busy machine, and its
+  // player skips what is not taken in time.
+  EXPECT_GE(frames, 3);
 }
 
 TEST_F(OpenNi2, a_missing_or_invalid_file_is_named) {
