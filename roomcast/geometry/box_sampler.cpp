@@ -36,11 +36,36 @@ using Bytes = std::uint8_t __attribute__((vector_size(8)));
 using Words = std::uint16_t __attribute__((vector_size(16)));
 constexpr int kLanes = 8;
 
+/// Loads the low `Count` bytes of a word, in registers: bytes that went through memory one by one
+/// would have to be waited for before they can be read as a vector.
+template <int Count>
+std::uint64_t load_bytes(const std::uint8_t* from) {
+  if constexpr (Count == 8) {
+    std::uint64_t word;
+    std::memcpy(&word, from, 8);
+    return word;
+  } else if constexpr (Count >= 4) {
+    std::uint32_t first, last;  // they overlap
+    std::memcpy(&first, from, 4);
+    std::memcpy(&last, from + Count - 4, 4);
+    return first | (std::uint64_t{last} << (8 * (Count - 4)));
+  } else if constexpr (Count == 3) {
+    return load_bytes<2>(from) | (load_bytes<1>(from + 2) << 16);
+  } else if constexpr (Count == 2) {
+    std::uint16_t word;
+    std::memcpy(&word, from, 2);
+    return word;
+  } else {
+    return *from;
+  }
+}
+
 /// Loads up to eight bytes and widens them.
 template <int Count>
 Words load(const std::uint8_t* from) {
-  Bytes bytes{};
-  std::memcpy(&bytes, from, std::min(Count, kLanes));
+  const std::uint64_t word = load_bytes<std::min(Count, kLanes)>(from);
+  Bytes bytes;
+  std::memcpy(&bytes, &word, sizeof(bytes));
   return __builtin_convertvector(bytes, Words);
 }
 
