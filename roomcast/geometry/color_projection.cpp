@@ -43,15 +43,20 @@ ColorProjection::ColorProjection(const SensorCalibration& calibration)
 
 void ColorProjection::project_row(const std::uint16_t* depth_mm, int y,
                                   const ProjectedRow& out) const {
-  const Lens l = lens_;
   const std::size_t start = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
-  const float* const __restrict ax = direction_x_.data() + start;
-  const float* const __restrict ay = direction_y_.data() + start;
-  const float* const __restrict az = direction_z_.data() + start;
-  float* const __restrict out_u = out.u;
-  float* const __restrict out_v = out.v;
-  float* const __restrict out_z = out.z_m;
-  for (int i = 0; i < width_; ++i) {
+  project_pixels(lens_, width_, depth_mm, &direction_x_[start], &direction_y_[start],
+                 &direction_z_[start], out.u, out.v, out.z_m);
+}
+
+/// The rows are parameters of their own: GCC only believes of parameters that they do not overlap,
+/// and else would have to check more pairs than it is ready to.
+void ColorProjection::project_pixels(const Lens& lens, int width,
+                                     const std::uint16_t* __restrict depth_mm,
+                                     const float* __restrict ax, const float* __restrict ay,
+                                     const float* __restrict az, float* __restrict u_px,
+                                     float* __restrict v_px, float* __restrict z_m) {
+  const Lens l = lens;
+  for (int i = 0; i < width; ++i) {
     const float depth_m = kMetresPerMillimetre * static_cast<float>(depth_mm[i]);
     const float z = depth_m * az[i] + l.tz_m;
     const float x = (depth_m * ax[i] + l.tx_m) / z;
@@ -63,9 +68,9 @@ void ColorProjection::project_row(const std::uint16_t* depth_mm, int y,
     const float v = l.fy * (y_n * radial + l.p1 * (r2 + 2 * y_n * y_n) + l.p2 * xy2) + l.cy;
     const bool seen = (depth_m > 0) & (z > kNearestZ_m) & (r2 <= l.largest_r2) & (u >= -0.5F) &
                       (v >= -0.5F) & (u <= l.largest_u) & (v <= l.largest_v);
-    out_u[i] = seen ? u : 0.0F;
-    out_v[i] = seen ? v : 0.0F;
-    out_z[i] = seen ? z : 0.0F;
+    u_px[i] = seen ? u : 0.0F;
+    v_px[i] = seen ? v : 0.0F;
+    z_m[i] = seen ? z : 0.0F;
   }
 }
 

@@ -47,6 +47,10 @@ class ColorProjection {
     float largest_r2;  // of any ray in the colour picture; the lens polynomial is invalid beyond it
   };
   static Lens lens_of(const SensorCalibration& calibration);
+  static void project_pixels(const Lens& lens, int width, const std::uint16_t* __restrict depth_mm,
+                             const float* __restrict ax, const float* __restrict ay,
+                             const float* __restrict az, float* __restrict u_px,
+                             float* __restrict v_px, float* __restrict z_m);
 
   int width_, height_;
   Lens lens_;
