@@ -32,10 +32,14 @@ void InterferenceFilter::filter(DepthImage& depth_mm) {
   if (!is_active_) return;
   count_blocks();
   before_ = depth_mm;
+  // Most of a frame is still and without a burst of noise, and stays as it is.
+  const bool is_burst = meter_.noise_ratio_now() >= kBurst;
   for (int y = 1; y < depth_mm.height() - 1; ++y) {
     const Shown* shown = meter_.shown().row(y);
+    std::uint16_t* out_mm = depth_mm.view().row(y);
     for (int x = 1; x < depth_mm.width() - 1; ++x) {
-      if (shown[x] != Shown::kUnknown) depth_mm.at(x, y) = filtered(before_, x, y);
+      if (shown[x] == Shown::kUnknown || (shown[x] == Shown::kStill && !is_burst)) continue;
+      out_mm[x] = filtered(before_, x, y);
     }
   }
 }
@@ -112,7 +116,6 @@ std::uint16_t InterferenceFilter::filtered(DepthView depth_mm, int x, int y) con
       return changed_together(depth_mm, x, y) ? reading : rounded(still_mm);
     case Shown::kStill: {
       const float ratio = meter_.noise_ratio_now();
-      if (ratio < kBurst) return reading;
       return rounded(still_mm + (static_cast<float>(reading) - still_mm) / (ratio * ratio));
     }
     case Shown::kUnknown:
