@@ -28,6 +28,13 @@ void add_phase(std::size_t number, double mbit, double mbit_before, const RateOu
                int sensors, LineReport& report) {
   const std::string name = fmt::format("auto, {}. {:g} Mbit/s: ", number, mbit);
   report.figures.push_back({name + "share of the link", "%", 100 * outcome.line.mean() / mbit});
+  const LineRate::Extremes seconds = outcome.line.over(1s);
+  report.figures.push_back(
+      {name + "seconds without more to send", "%", 100 * seconds.without_more});
+  if (seconds.mean_of_others) {
+    report.figures.push_back(
+        {name + "share of the link in the others", "%", 100 * *seconds.mean_of_others / mbit});
+  }
   report.figures.push_back(
       {name + "frames of a sensor", "1/s",
        static_cast<double>(outcome.ages_ms.size()) / outcome.seconds / sensors});
@@ -51,6 +58,7 @@ Status measure_auto(const LineBenchOptions& options,
   if (!room) return room.error();
   std::this_thread::sleep_for(options.rate_warm_up);
   double carried = 0, capacity = 0, before = 0;
+  double carried_with_more = 0, capacity_with_more = 0;
   std::vector<double> ages_ms;
   for (std::size_t i = 0; i < options.link_mbit.size(); ++i) {
     const double mbit = options.link_mbit[i];
@@ -60,10 +68,17 @@ Status measure_auto(const LineBenchOptions& options,
     add_phase(i + 1, mbit, before, outcome, options.sensors, report);
     carried += outcome.line.mean();
     capacity += mbit;
+    const LineRate::Extremes seconds = outcome.line.over(1s);
+    carried_with_more += (1 - seconds.without_more) * seconds.mean_of_others.value_or(0);
+    capacity_with_more += (1 - seconds.without_more) * mbit;
     ages_ms.insert(ages_ms.end(), outcome.ages_ms.begin(), outcome.ages_ms.end());
     before = mbit;
   }
   report.figures.push_back({"auto: share of the link", "%", 100 * carried / capacity});
+  if (capacity_with_more > 0) {
+    report.figures.push_back({"auto: share of the link in seconds with more to send", "%",
+                              100 * carried_with_more / capacity_with_more});
+  }
   add_ages("auto: ", ages_ms, report);
   return {};
 }

@@ -37,7 +37,7 @@ std::optional<LineRate::Time::duration> LineRate::time_until(
 
 LineRate::Extremes LineRate::over(std::chrono::milliseconds window) const {
   Extremes extremes;
-  double windows = 0, without_more = 0;
+  double windows = 0, without_more = 0, sum_of_others = 0;
   std::size_t last_without = 0;  // the place behind the newest reading without more to send
   std::size_t looked_at = 0;
   each_window(window, [&](std::size_t from, std::size_t to) {
@@ -47,11 +47,13 @@ LineRate::Extremes LineRate::over(std::chrono::milliseconds window) const {
     const bool had_more = last_without <= from;
     ++windows;
     without_more += had_more ? 0 : 1;
+    sum_of_others += had_more ? rate : 0;
     if (had_more) extremes.lowest = std::min(extremes.lowest.value_or(rate), rate);
     extremes.highest = std::max(extremes.highest, rate);
     return true;
   });
   if (windows > 0) extremes.without_more = without_more / windows;
+  if (windows > without_more) extremes.mean_of_others = sum_of_others / (windows - without_more);
   return extremes;
 }
 

@@ -26,6 +26,7 @@ class LineRate {
     std::optional<double> lowest;  // Mbit/s; nothing: no window in which there was more to send
     double highest = 0;
     double without_more = 0;  // share of the windows in which there was not always more to send
+    std::optional<double> mean_of_others;  // Mbit/s; nothing: there are no others
   };
   /// Over all windows of this length that begin and end at a reading.
   [[nodiscard]] Extremes over(std::chrono::milliseconds window) const;

@@ -49,6 +49,7 @@ TEST(LineRate, a_window_whose_senders_have_nothing_more_to_send_is_not_too_slow)
   }
   EXPECT_NEAR(rate.over(200ms).lowest.value(), 1, 1e-9);
   EXPECT_NEAR(rate.over(200ms).without_more, 151.0 / 281, 1e-9);
+  EXPECT_NEAR(rate.over(200ms).mean_of_others.value(), 1, 1e-9);
 }
 
 TEST(LineRate, without_readings_there_is_no_rate) {
@@ -56,6 +57,7 @@ TEST(LineRate, without_readings_there_is_no_rate) {
   EXPECT_EQ(rate.mean(), 0);
   EXPECT_EQ(rate.over(1s).highest, 0);
   EXPECT_FALSE(rate.over(1s).lowest);
+  EXPECT_FALSE(rate.over(1s).mean_of_others);
 }
 
 }  // namespace
