@@ -31,10 +31,12 @@ constexpr auto kPartOfLook = 80ms;
 // Growth, per second, as a logarithm.
 const double kStartGrowth = std::log(4.0), kReturnGrowth = std::log(2.0),
              kMaxGrowth = std::log(4.0);
-constexpr double kCarefulGrowth = 0.25;
+// Near the last capacity all who share a line grow by the same bytes, so that the shares of who
+// sends more and who sends less approach each other with each cut, which takes the same part of each.
+constexpr double kCarefulBytes = 25'000;  // per second, each second
+constexpr double kMaxCarefulGrowth = 0.35;
 constexpr double kNear = 0.85, kBeyond = 1.04;  // of the last capacity
 constexpr double kGrowthDoubles_s = 0.25;
-constexpr double kFairGrowth = 6'000;  // bytes/s each second
 constexpr double kBelowBbr = 0.95;
 
 constexpr auto kUseLook = 1s;
@@ -126,7 +128,7 @@ std::optional<double> BandwidthEstimator::overload(const Reading& reading) const
 void BandwidthEstimator::cut(double delivered_per_s, HostTime now) {
   capacity_ = delivered_per_s;
   rate_ = std::clamp(std::max(kCut * delivered_per_s, kMaxCut * rate_), kMin, kMax);
-  growth_ = kCarefulGrowth;
+  growth_ = careful_growth_per_s();
   next_cut_ = now + kCutInterval;
   full_since_ = now;
 }
@@ -160,7 +162,7 @@ bool BandwidthEstimator::drain(const Reading& reading) {
   if (rate >= rate_) return false;
   capacity_ = per_s;
   rate_ = std::max({rate, kMaxCut * rate_, kMin});
-  growth_ = kCarefulGrowth;
+  growth_ = careful_growth_per_s();
   next_drain_ = next_cut_ = reading.time + kStandingLook;
   return true;
 }
@@ -179,7 +181,7 @@ void BandwidthEstimator::grow(const Reading& reading, double seconds) {
     rate_ = std::max(kBelowBbr * reading.bbr_bytes_per_s, rate_ * (1 - kAgeing * seconds));
   if (room_ <= 0) return;
   const double growth = room_ * room_ * growth_per_s(room_ * seconds);
-  double grown = rate_ * std::exp(growth * seconds) + kFairGrowth * seconds;
+  double grown = rate_ * std::exp(growth * seconds);
   if (reading.bbr_bytes_per_s > 0) grown = std::min(grown, kBelowBbr * reading.bbr_bytes_per_s);
   rate_ = std::clamp(std::max(rate_, grown), kMin, kMax);
 }
@@ -190,10 +192,14 @@ double BandwidthEstimator::growth_per_s(double seconds) {
   else if (rate_ < kNear * capacity_)
     growth_ = kReturnGrowth;
   else if (rate_ < kBeyond * capacity_)
-    growth_ = kCarefulGrowth;
+    growth_ = careful_growth_per_s();
   else
     growth_ = std::min(kMaxGrowth, growth_ * std::exp2(seconds / kGrowthDoubles_s));
   return growth_;
+}
+
+double BandwidthEstimator::careful_growth_per_s() const {
+  return std::min(kMaxCarefulGrowth, kCarefulBytes / rate_);
 }
 
 /// Of the rates of the last second; 1 until a second has passed.

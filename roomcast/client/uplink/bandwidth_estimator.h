@@ -61,6 +61,7 @@ class BandwidthEstimator {
   [[nodiscard]] nanoseconds standing_queue(const Reading& reading, nanoseconds look) const;
   void grow(const Reading& reading, double seconds);
   [[nodiscard]] double growth_per_s(double seconds);
+  [[nodiscard]] double careful_growth_per_s() const;
   [[nodiscard]] double used_share(const Reading& reading) const;
   [[nodiscard]] nanoseconds longest_passing_queue() const;
   [[nodiscard]] double room_in_queue(const Reading& reading) const;
