@@ -16,9 +16,9 @@ Result<LineReport> run_line_bench(const LineBenchOptions& options,
   using Measure = Status (*)(const LineBenchOptions&,
                              const std::function<void(const std::string&)>&, LineReport&);
   constexpr std::pair<std::string_view, Measure> kCases[] = {
-      {"unwatched", measure_unwatched}, {"rate", measure_rate}, {"uplink", measure_uplink},
-      {"auto", measure_auto},           {"loss", measure_loss}, {"viewer", measure_viewer},
-      {"looking", measure_looking}};
+      {"unwatched", measure_unwatched}, {"rate", measure_rate},      {"uplink", measure_uplink},
+      {"auto", measure_auto},           {"late", measure_late},      {"loss", measure_loss},
+      {"viewer", measure_viewer},       {"looking", measure_looking}};
   LineReport report;
   for (const auto& [name, measure] : kCases) {
     if (std::ranges::find(options.cases, name) == options.cases.end()) continue;

@@ -13,6 +13,9 @@
 //   auto       share of an emulated link that sensors use which estimate what it carries, and the
 //              age of their frames, while the link becomes slower and faster; needs root
 //
+//   late       how much of a link a sensor gets that comes while another one uses it; both estimate
+//              what it carries; needs root
+//
 //   loss       how long pictures stand still on a line that loses packets, stands still, or becomes
 //              half as fast: the sensors' or the viewer's; needs root
 //
@@ -77,6 +80,11 @@ struct LineReport {
 
 /// The case `auto`; adds its figures. kUnsupported: not root, or no TUN devices.
 [[nodiscard]] Status measure_auto(const LineBenchOptions& options,
+                                  const std::function<void(const std::string&)>& progress,
+                                  LineReport& report);
+
+/// The case `late`; adds its figures. kUnsupported: not root, or no TUN devices.
+[[nodiscard]] Status measure_late(const LineBenchOptions& options,
                                   const std::function<void(const std::string&)>& progress,
                                   LineReport& report);
 

@@ -75,6 +75,18 @@ TEST(LineBench, a_sensor_follows_its_line) {
   EXPECT_LT(figure(report, "auto: age on arrival, p50", "ms"), 1'000) << "on a busy machine";
 }
 
+TEST(LineBench, a_sensor_that_comes_later_gets_a_part_of_the_line) {
+  LineReport report;
+  const auto status =
+      measure_late({.scene = "bare", .duration = 2s, .rate_warm_up = 3s}, {}, report);
+  if (!status && status.error().code == ErrorCode::kUnsupported)
+    GTEST_SKIP() << status.error().message;
+  ASSERT_TRUE(status.ok()) << status.error().message;
+  EXPECT_GT(figure(report, "late, 4. part: share of the one who came later", "%"), 10);
+  EXPECT_GT(figure(report, "late, 4. part: share of the link", "%"), 5) << "a bare room";
+  EXPECT_LT(figure(report, "late, 4. part: age on arrival, p95", "ms"), 2'000) << "a busy machine";
+}
+
 TEST(LineBench, json_has_the_keys_that_scripts_rely_on) {
   std::ostringstream out;
   print_json({.figures = {{"unwatched: CPU", "cores", 0.25}}}, out);

@@ -33,8 +33,8 @@ Result<std::unique_ptr<RateRoom>> RateRoom::open(const LineBenchOptions& options
   if (!status) return status.error();
   room->link_->run(End::kFar,
                    [&] { room->watcher_ = std::make_unique<SetWatcher>(room->hub_->url()); });
-  room->link_->run(End::kNear, [&] { status = room->join_sensors(options, codec); });
-  if (!status) return status.error();
+  for (int i = 0; i < options.sensors; ++i)
+    if (status = room->join_sensor(options, codec, i); !status) return status.error();
   return room;
 }
 
@@ -112,18 +112,28 @@ Status RateRoom::open_hub(double uplink_mbit, End end) {
   return {};
 }
 
-Status RateRoom::join_sensors(const LineBenchOptions& options, const sensor::CodecChoice& codec) {
-  for (int i = 0; i < options.sensors; ++i) {
-    auto source = LoopedSource::capture(options.scene, i, options.sensors, kFps, kLoopFrames);
-    if (!source) return source.error();
-    sensor::SensorFeedOptions feed;
-    feed.hub_url = hub_->url();
-    feed.codec = codec;
+Status RateRoom::join_sensor(const LineBenchOptions& options, const sensor::CodecChoice& codec,
+                             int number) {
+  auto source = LoopedSource::capture(options.scene, number, options.sensors, kFps, kLoopFrames);
+  if (!source) return source.error();
+  sensor::SensorFeedOptions feed;
+  feed.hub_url = hub_->url();
+  feed.codec = codec;
+  Status status;
+  link_->run(End::kNear, [&] {
     auto started = sensor::SensorFeed::start(*std::move(source), feed);
-    if (!started) return started.error();
-    feeds_.push_back(*std::move(started));
-  }
-  return {};
+    if (started)
+      feeds_.push_back(*std::move(started));
+    else
+      status = started.error();
+  });
+  return status;
+}
+
+std::vector<double> RateRoom::bytes_sent() const {
+  std::vector<double> bytes;
+  for (const auto& feed : feeds_) bytes.push_back(static_cast<double>(feed->stats().bytes_sent));
+  return bytes;
 }
 
 }  // namespace roomcast::bench

@@ -46,6 +46,11 @@ class RateRoom {
   /// As measure(), but the viewer is somebody in the middle of the room who turns round by half a
   /// turn every few seconds and tells it.
   [[nodiscard]] Result<RateOutcome> measure_turning(std::chrono::milliseconds duration);
+  /// Sensor `number` of options.sensors comes, too.
+  [[nodiscard]] Status join_sensor(const LineBenchOptions& options,
+                                   const sensor::CodecChoice& codec, int number);
+  /// Bytes that each sensor has sent, in the order in which they came.
+  [[nodiscard]] std::vector<double> bytes_sent() const;
   /// The link carries so much from now on.
   void set_link_rate(double mbit_per_s) { link_->set_rate(mbit_per_s); }
   /// Nothing passes the link for so long.
@@ -57,7 +62,6 @@ class RateRoom {
   Status open_hub(double uplink_mbit, End end);
   RateOutcome read_line(std::chrono::milliseconds duration);
   [[nodiscard]] bool has_more_to_send() const;
-  Status join_sensors(const LineBenchOptions& options, const sensor::CodecChoice& codec);
 
   const std::unique_ptr<EmulatedLink> link_;
   std::unique_ptr<hub::RunningHub> hub_;

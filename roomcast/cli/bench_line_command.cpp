@@ -33,10 +33,11 @@ void add_line_bench(CLI::App& bench, Command& chosen) {
   command
       ->add_option(
           "--case", options->cases,
-          "Cases: unwatched, looking, rate, uplink, auto, viewer, loss (the last five need "
+          "Cases: unwatched, looking, rate, uplink, auto, late, viewer, loss (the last six need "
           "root)")
       ->delimiter(',')
-      ->check(CLI::IsMember({"unwatched", "looking", "rate", "uplink", "auto", "viewer", "loss"}));
+      ->check(CLI::IsMember(
+          {"unwatched", "looking", "rate", "uplink", "auto", "late", "viewer", "loss"}));
   command
       ->add_option(
           "--mbit", options->target_mbit,

@@ -31,8 +31,8 @@ constexpr auto kPartOfLook = 80ms;
 // Growth, per second, as a logarithm.
 const double kStartGrowth = std::log(4.0), kReturnGrowth = std::log(2.0),
              kMaxGrowth = std::log(4.0);
-// Near the last capacity all who share a line grow by the same bytes, so that the shares of who
-// sends more and who sends less approach each other with each cut, which takes the same part of each.
+// Near the last capacity all who share a line grow by the same bytes, and each cut takes the same
+// part of each: so the rates of who sends more and who sends less approach each other.
 constexpr double kCarefulBytes = 25'000;  // per second, each second
 constexpr double kMaxCarefulGrowth = 0.35;
 constexpr double kNear = 0.85, kBeyond = 1.04;  // of the last capacity

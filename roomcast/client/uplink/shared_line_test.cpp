@@ -46,7 +46,7 @@ class SharedLine {
 
  private:
   static constexpr double kStep_s = 0.002, kFrame_s = 1.0 / 15, kRoundTrip_s = 0.03;
-  static constexpr double kMaxQueue_s = 0.1, kPace = 1.15;
+  static constexpr double kMaxQueue_s = 0.1, kPaceMargin = 1.5;  // the latter as UplinkMonitor's
   static constexpr int kStepsPerReading = 10;
 
   struct Sender {
@@ -71,7 +71,8 @@ class SharedLine {
       sender.next_frame_s += kFrame_s;
       if (sender.waiting < rate * kFrame_s) sender.waiting += rate * kFrame_s;
     }
-    const double sent = std::min(kPace * rate * kStep_s, sender.waiting);
+    const double pace = rate * (1 + sender.estimator.room() * (kPaceMargin - 1));
+    const double sent = std::min(pace * kStep_s, sender.waiting);
     const double taken = std::clamp(capacity * kMaxQueue_s - queued_, 0.0, sent);
     sender.waiting -= taken;
     sender.lost += sent - taken;

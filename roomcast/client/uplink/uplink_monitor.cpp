@@ -10,7 +10,7 @@ constexpr std::chrono::milliseconds kReadEvery{20};
 // Frames leave in less than the time until the next, so that the line shows whether it has more.
 // BBR itself measures the line only by what is sent. Where the line has a queue, more than the rate
 // would only make it longer.
-constexpr double kPaceMargin = 1.15, kPaceMarginWithBbr = 1.4;
+constexpr double kPaceMargin = 1.5, kPaceMarginWithBbr = 1.6;
 
 }  // namespace
 
