@@ -25,10 +25,9 @@ void add_ages(const std::string& name, const std::vector<double>& ages_ms, LineR
 }
 
 void add_phase(std::size_t number, double mbit, double mbit_before, const RateOutcome& outcome,
-               int sensors, LineReport& report) {
+               const LineRate::Extremes& seconds, int sensors, LineReport& report) {
   const std::string name = fmt::format("auto, {}. {:g} Mbit/s: ", number, mbit);
   report.figures.push_back({name + "share of the link", "%", 100 * outcome.line.mean() / mbit});
-  const LineRate::Extremes seconds = outcome.line.over(1s);
   report.figures.push_back(
       {name + "seconds without more to send", "%", 100 * seconds.without_more});
   if (seconds.mean_of_others) {
@@ -65,10 +64,10 @@ Status measure_auto(const LineBenchOptions& options,
     if (progress) progress(fmt::format("a link of {:g} Mbit/s", mbit));
     (*room)->set_link_rate(mbit);
     const RateOutcome outcome = (*room)->measure(options.duration);
-    add_phase(i + 1, mbit, before, outcome, options.sensors, report);
+    const LineRate::Extremes seconds = outcome.line.over(1s);
+    add_phase(i + 1, mbit, before, outcome, seconds, options.sensors, report);
     carried += outcome.line.mean();
     capacity += mbit;
-    const LineRate::Extremes seconds = outcome.line.over(1s);
     carried_with_more += (1 - seconds.without_more) * seconds.mean_of_others.value_or(0);
     capacity_with_more += (1 - seconds.without_more) * mbit;
     ages_ms.insert(ages_ms.end(), outcome.ages_ms.begin(), outcome.ages_ms.end());

@@ -36,8 +36,8 @@ using Bytes = std::uint8_t __attribute__((vector_size(8)));
 using Words = std::uint16_t __attribute__((vector_size(16)));
 constexpr int kLanes = 8;
 
-/// Loads the low `Count` bytes of a word, in registers: bytes that went through memory one by one
-/// would have to be waited for before they can be read as a vector.
+/// The low `Count` bytes of a word, put together in registers: reading a vector from memory to
+/// which parts of it were just stored would stall the processor (no store forwarding).
 template <int Count>
 std::uint64_t load_bytes(const std::uint8_t* from) {
   if constexpr (Count == 8) {

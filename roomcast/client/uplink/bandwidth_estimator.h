@@ -46,6 +46,10 @@ class BandwidthEstimator {
   /// longer than those of other senders' frames would.
   [[nodiscard]] double room() const { return room_; }
 
+  /// At which to send what waits, bytes/s: `margin` times the rate while nothing waits in the
+  /// line's queue, the rate itself where the queue has no room.
+  [[nodiscard]] double pace(double margin) const { return rate_ * (1 + room_ * (margin - 1)); }
+
  private:
   struct Moment {
     HostTime time{};

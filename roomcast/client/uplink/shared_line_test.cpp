@@ -71,8 +71,7 @@ class SharedLine {
       sender.next_frame_s += kFrame_s;
       if (sender.waiting < rate * kFrame_s) sender.waiting += rate * kFrame_s;
     }
-    const double pace = rate * (1 + sender.estimator.room() * (kPaceMargin - 1));
-    const double sent = std::min(pace * kStep_s, sender.waiting);
+    const double sent = std::min(sender.estimator.pace(kPaceMargin) * kStep_s, sender.waiting);
     const double taken = std::clamp(capacity * kMaxQueue_s - queued_, 0.0, sent);
     sender.waiting -= taken;
     sender.lost += sent - taken;

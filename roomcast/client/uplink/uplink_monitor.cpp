@@ -31,11 +31,9 @@ void UplinkMonitor::read() {
                   .bbr_bytes_per_s = line->bbr_bytes_per_s,
                   .is_probing_round_trip = line->is_probing_round_trip,
                   .resent_packets = line->resent_packets});
-  const double rate = estimator_.bytes_per_s();
-  bytes_per_s_ = rate;
+  bytes_per_s_ = estimator_.bytes_per_s();
   unsent_bytes_ = line->unsent_bytes;
-  const double margin = line->bbr_bytes_per_s > 0 ? kPaceMarginWithBbr : kPaceMargin;
-  line_.set_pace(rate * (1 + estimator_.room() * (margin - 1)));
+  line_.set_pace(estimator_.pace(line->bbr_bytes_per_s > 0 ? kPaceMarginWithBbr : kPaceMargin));
 }
 
 }  // namespace roomcast::client
