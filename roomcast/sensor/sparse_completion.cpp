@@ -23,13 +23,15 @@ constexpr std::size_t kMinBreaks = 50;
 constexpr std::size_t kMinQuadrants = 3;
 constexpr std::size_t kMinOfSurface = 6;  // readings
 constexpr std::size_t kEnoughOfSurface = 24;
-constexpr float kMinOnPlane = 0.75F;  // share of a surface's readings
+constexpr float kMinOnPlane = 0.6F;   // share of a surface's readings
 constexpr int kFits = 2;              // the second without readings far from the first's plane
+constexpr int kMinOfPiece = 5;        // readings in 3x3 pixels
 constexpr float kAlmostZero = 1e-3F;  // keeps the plane through readings in one line finite
 
-/// A plane misses its readings by less than this: a bound on depth noise.
+/// A plane misses its readings by less than this: a bound on depth noise. What gives few readings
+/// reflects little light, and is noisy.
 float noise_mm(float depth_mm) {
-  return 8 + depth_mm * depth_mm / (1U << 19U);
+  return 8 + depth_mm * depth_mm / 400'000;
 }
 
 /// Readings that follow each other in depth and are farther apart belong to different surfaces.
@@ -97,10 +99,14 @@ class SparseCompletion::Surface {
       if (on_plane < kMinOfSurface) return std::nullopt;
       surface.plane_ = sums.plane();
     }
+    const auto in_pieces = std::ranges::count_if(readings, &Reading::in_piece);
+    surface.is_scattered_ = 2 * static_cast<std::size_t>(in_pieces) <= readings.size();
     const float share = static_cast<float>(on_plane) / static_cast<float>(all);
     return share < kMinOnPlane ? std::nullopt : std::optional(surface);
   }
 
+  /// Most of its readings stand alone.
+  [[nodiscard]] bool is_scattered() const { return is_scattered_; }
   /// 0: none.
   [[nodiscard]] float depth_mm(int x, int y) const {
     const float nearness = nearness_ + plane_.dot(place(x, y));
@@ -121,10 +127,14 @@ class SparseCompletion::Surface {
   Reading first_;
   float nearness_;                                   // 1/mm, of the first reading
   Eigen::Vector3f plane_ = Eigen::Vector3f::Zero();  // of what is added to it: there, right, down
+  bool is_scattered_ = false;
 };
 
 SparseCompletion::SparseCompletion(int width, int height)
-    : width_(width), height_(height), cells_(width / kCell_px + 3, height / kCell_px + 3) {
+    : width_(width),
+      height_(height),
+      cells_(width / kCell_px + 3, height / kCell_px + 3),
+      in_piece_(width, height) {
   holes_.reserve(static_cast<std::size_t>(kCell_px * kCell_px));
   readings_.reserve(static_cast<std::size_t>(9 * kCell_px * kCell_px));
   fills_.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
@@ -134,6 +144,7 @@ void SparseCompletion::complete(DepthImage& depth_mm) {
   fills_.clear();
   if (depth_mm.width() != width_ || depth_mm.height() != height_) return;
   count_readings(depth_mm);
+  find_pieces(depth_mm);
   for (int top = 0; top < height_; top += kCell_px) {
     for (int left = 0; left < width_; left += kCell_px) {
       if (!is_sparse(left, top)) continue;
@@ -146,8 +157,9 @@ void SparseCompletion::complete(DepthImage& depth_mm) {
   for (const Fill& fill : fills_) depth_mm.at(fill.x, fill.y) = fill.depth_mm;
 }
 
-SparseCompletion::Reading SparseCompletion::reading_at(DepthView depth_mm, int x, int y) {
-  return {depth_mm.at(x, y), static_cast<std::int16_t>(x), static_cast<std::int16_t>(y)};
+SparseCompletion::Reading SparseCompletion::reading_at(DepthView depth_mm, int x, int y) const {
+  return {depth_mm.at(x, y), static_cast<std::int16_t>(x), static_cast<std::int16_t>(y),
+          in_piece_.at(x, y) != 0};
 }
 
 /// In cells with a border of empty ones around the picture.
@@ -162,6 +174,25 @@ void SparseCompletion::count_readings(DepthView depth_mm) {
       cell.readings += is_read ? 1 : 0;
       cell.breaks += is_read != (above[x] != 0) ? 1 : 0;
       cell.breaks += is_read != (row[std::max(x - 1, 0)] != 0) ? 1 : 0;
+    }
+  }
+}
+
+/// Pixels at the border of the picture are in none.
+void SparseCompletion::find_pieces(DepthView depth_mm) {
+  if (depth_mm.width < 3) return;
+  for (int y = 1; y < depth_mm.height - 1; ++y) {
+    const std::array rows{depth_mm.row(y - 1), depth_mm.row(y), depth_mm.row(y + 1)};
+    const auto column = [&](int x) {
+      return (rows[0][x] != 0 ? 1 : 0) + (rows[1][x] != 0 ? 1 : 0) + (rows[2][x] != 0 ? 1 : 0);
+    };
+    std::uint8_t* const in_piece = in_piece_.view().row(y);
+    int left = column(0), middle = column(1);
+    for (int x = 1; x < depth_mm.width - 1; ++x) {
+      const int right = column(x + 1);
+      in_piece[x] = left + middle + right >= kMinOfPiece ? 1 : 0;
+      left = middle;
+      middle = right;
     }
   }
 }
@@ -232,17 +263,30 @@ void SparseCompletion::fill_between_readings() {
   }
 }
 
+/// Whether the surface surrounds the hole, or the hole lies at its rim, and all else around it
+/// reads so well that the hole would have a reading if it showed that.
+bool SparseCompletion::belongs(const Hole& hole, const Surface& surface) {
+  std::size_t on_surface = 0, in_pieces = 0;
+  for (const Reading& near : hole.around) {
+    if (surface.has(near)) {
+      ++on_surface;
+    } else if (near.in_piece) {
+      ++in_pieces;
+    }
+  }
+  if (on_surface >= kMinQuadrants) return true;
+  return surface.is_scattered() && on_surface > 0 && on_surface + in_pieces == hole.around.size();
+}
+
 void SparseCompletion::fill_holes(const Surface& surface) {
   std::erase_if(holes_, [&](const Hole& hole) {
-    std::size_t quadrants = 0;
+    if (!belongs(hole, surface)) return false;
     int nearest_mm = kMaxDepth_mm, farthest_mm = 0;
     for (const Reading& near : hole.around) {
       if (!surface.has(near)) continue;
-      ++quadrants;
       nearest_mm = std::min<int>(nearest_mm, near.depth_mm);
       farthest_mm = std::max<int>(farthest_mm, near.depth_mm);
     }
-    if (quadrants < kMinQuadrants) return false;
     const float depth_mm = surface.depth_mm(hole.x, hole.y);
     if (depth_mm < static_cast<float>(nearest_mm) - noise_mm(depth_mm) ||
         depth_mm > static_cast<float>(farthest_mm) + noise_mm(depth_mm))

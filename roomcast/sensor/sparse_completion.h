@@ -3,10 +3,12 @@
 // things only some pixels give a reading, others in every frame: a screen that somebody carries
 // comes as specks. A pixel without a reading gets the depth of a plane through the readings around
 // it, if the nearest ones in at least three of the four quadrants around it, up to 4 pixels away,
-// lie on that plane. So gaps through which something else is read stay open, and gaps of more than
-// 7 pixels; holes in one piece stay open too, such as those beside the things that structured light
-// sees, which come and go at their borders. It looks at single frames, so that it also fills what
-// moves. Single-threaded; allocates only when it is made.
+// lie on that plane. One quadrant is enough where things that read well are seen in the others: at
+// the rim of the surface, where such a thing would have given a reading. So gaps through which
+// something else is read stay open, and gaps of more than 7 pixels; holes in one piece stay open
+// too, such as those beside the things that structured light sees, which come and go at their
+// borders. It looks at single frames, so that it also fills what moves. Single-threaded; allocates
+// only when it is made.
 #pragma once
 
 #include <array>
@@ -33,6 +35,7 @@ class SparseCompletion {
   struct Reading {
     std::uint16_t depth_mm = 0;
     std::int16_t x = 0, y = 0;  // small, because many are sorted
+    bool in_piece = false;      // most pixels in the 3x3 around it have readings
   };
   /// A pixel without a reading, and the nearest reading in each quadrant around it.
   struct Hole {
@@ -50,8 +53,10 @@ class SparseCompletion {
   };
   class Surface;
 
-  [[nodiscard]] static Reading reading_at(DepthView depth_mm, int x, int y);
+  [[nodiscard]] Reading reading_at(DepthView depth_mm, int x, int y) const;
+  [[nodiscard]] static bool belongs(const Hole& hole, const Surface& surface);
   void count_readings(DepthView depth_mm);
+  void find_pieces(DepthView depth_mm);
   [[nodiscard]] bool is_sparse(int left, int top) const;
   void find_holes(DepthView depth_mm, int left, int top);
   void find_readings(DepthView depth_mm, int left, int top);
@@ -60,6 +65,7 @@ class SparseCompletion {
 
   int width_, height_;
   Image<Cell> cells_;
+  Image<std::uint8_t> in_piece_;   // 1: as Reading::in_piece
   std::vector<Hole> holes_;        // of one cell
   std::vector<Reading> readings_;  // around the cell
   std::vector<Fill> fills_;

@@ -70,6 +70,65 @@ TEST(SparseCompletion, fills_a_screen_that_comes_as_specks) {
   EXPECT_LT(sum_mm / count, 4);  // less than the readings' own noise
 }
 
+/// Of the pixels of the screen at most two from its border, the share with its depth.
+double filled_rim(const DepthImage& depth_mm) {
+  double filled = 0, all = 0;
+  for (int y = kTop; y < kBottom; ++y) {
+    for (int x = kLeft; x < kRight; ++x) {
+      if (is_screen(x, y, 2)) continue;
+      filled += std::abs(static_cast<float>(depth_mm.at(x, y)) - screen_mm(x)) < 30 ? 1 : 0;
+      ++all;
+    }
+  }
+  return filled / all;
+}
+
+TEST(SparseCompletion, fills_a_screen_up_to_its_rim_if_what_is_behind_reads_well) {
+  DepthImage depth_mm = sparse_screen_mm(0.25);
+  ASSERT_LT(filled_rim(depth_mm), 0.3);
+  SparseCompletion completion(kAcross, kDown);
+  completion.complete(depth_mm);
+  EXPECT_GT(filled_rim(depth_mm), 0.9);
+}
+
+/// Where the rim is, is not known then.
+TEST(SparseCompletion, fills_nothing_beyond_a_screen_before_what_gives_no_readings) {
+  DepthImage depth_mm = sparse_screen_mm(0.25);
+  for (int y = 0; y < kDown; ++y) {
+    for (int x = 0; x < kAcross; ++x) {
+      if (!is_screen(x, y)) depth_mm.at(x, y) = 0;
+    }
+  }
+  SparseCompletion completion(kAcross, kDown);
+  completion.complete(depth_mm);
+  for (int y = 0; y < kDown; ++y) {
+    for (int x = 0; x < kAcross; ++x) {
+      if (!is_screen(x, y)) {
+        ASSERT_EQ(depth_mm.at(x, y), 0) << x << ", " << y;
+      }
+    }
+  }
+}
+
+TEST(SparseCompletion, fills_a_screen_behind_a_bar_up_to_the_bar_and_not_the_bar_over_the_screen) {
+  constexpr int kBarLeft = 70, kBarRight = 80, kBar_mm = 1500;
+  DepthImage depth_mm = sparse_screen_mm(0.25);
+  for (int y = 0; y < kDown; ++y) {
+    for (int x = kBarLeft; x < kBarRight; ++x) depth_mm.at(x, y) = kBar_mm;
+  }
+  SparseCompletion completion(kAcross, kDown);
+  completion.complete(depth_mm);
+  double filled = 0, all = 0;
+  for (int y = kTop + 4; y < kBottom - 4; ++y) {
+    for (const int x : {kBarLeft - 1, kBarRight}) {
+      ASSERT_NE(depth_mm.at(x, y), kBar_mm) << x << ", " << y;
+      filled += std::abs(static_cast<float>(depth_mm.at(x, y)) - screen_mm(x)) < 30 ? 1 : 0;
+      ++all;
+    }
+  }
+  EXPECT_GT(filled / all, 0.9);
+}
+
 TEST(SparseCompletion, keeps_readings_as_they_are) {
   const DepthImage read_mm = sparse_screen_mm(0.25);
   DepthImage depth_mm = read_mm;
