@@ -296,6 +296,7 @@ std::optional<RenderBench::FrameNumbers> RenderBench::next_frames(const FrameNum
 
 Result<RenderRow> RenderBench::measure(render::RenderMode mode) {
   flow_ = {};
+  if (auto status = frames_.restart(); !status) return status.error();
   auto room = room_of(mode);
   if (!room) return room.error();
   RenderRow row;

@@ -13,24 +13,30 @@ namespace roomcast::bench {
 Result<RigFrames> RigFrames::open(const std::filesystem::path& folder,
                                   const recording::RigDescription& rig, int color_scale,
                                   bool fill_holes) {
-  RigFrames frames;
+  RigFrames frames(color_scale, fill_holes);
   for (const recording::RigSensorEntry& entry : rig.sensors) {
     if (!entry.world_from_depth) {
       return Error{ErrorCode::kInvalidArgument, "sensor " + entry.id + " of the rig has no pose"};
     }
     auto recording = recording::read_rig_recording(folder, entry.id);
     if (!recording) return recording.error();
-    auto registration =
-        HoleRegistration::create(recording->camera.calibration, {.color_scale = color_scale});
-    if (!registration) return registration.error();
-    const SensorCalibration cameras = recording->camera.calibration;
     const io::DepthValues depth_values(recording->camera);
     frames.sensors_.push_back({*std::move(recording), *entry.world_from_depth, depth_values,
-                               *std::move(registration), std::nullopt,
-                               folder / "truth" / entry.id});
-    if (fill_holes) frames.sensors_.back().completion.emplace(cameras);
+                               std::nullopt, std::nullopt, folder / "truth" / entry.id});
   }
+  if (auto status = frames.restart(); !status) return status.error();
   return frames;
+}
+
+Status RigFrames::restart() {
+  for (Sensor& sensor : sensors_) {
+    const SensorCalibration& cameras = sensor.recording.camera.calibration;
+    auto registration = HoleRegistration::create(cameras, {.color_scale = color_scale_});
+    if (!registration) return registration.error();
+    sensor.registration = *std::move(registration);
+    if (fill_holes_) sensor.completion.emplace(cameras);
+  }
+  return {};
 }
 
 void RigFrames::scale_depth(Sensor& sensor, double factor) {
@@ -53,7 +59,7 @@ Status RigFrames::read(Sensor& sensor, std::uint64_t number, RegisteredFrame& ou
   const io::ImageSize color{cameras.color.width, cameras.color.height};
   if (auto status = reader_.read_color(file->color, color, color_); !status) return status;
   if (sensor.completion) sensor.completion->complete(out.depth_mm, color_);
-  return sensor.registration.run(out.depth_mm, color_, out.color);
+  return sensor.registration->run(out.depth_mm, color_, out.color);
 }
 
 std::vector<std::uint64_t> RigFrames::truth_numbers(const Sensor& sensor) {

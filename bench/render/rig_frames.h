@@ -39,11 +39,15 @@ class RigFrames {
     recording::Recording recording;
     RigidTransform world_from_depth;
     io::DepthValues depth_values;  // with factors on readings, of the rig and of alignment
-    HoleRegistration registration;
-    std::optional<sensor::HoleCompletion> completion;
-    std::filesystem::path truth;  // folder with its noise-free depth
+    // Remember what they have seen; see restart.
+    std::optional<HoleRegistration> registration;
+    std::optional<sensor::HoleCompletion> completion;  // none: depth as recorded
+    std::filesystem::path truth;                       // folder with its noise-free depth
   };
   [[nodiscard]] std::vector<Sensor>& sensors() { return sensors_; }
+
+  /// Forgets all frames that were read. Errors as HoleRegistration::create.
+  [[nodiscard]] Status restart();
 
   /// Multiplies the sensor's depth by a factor that alignment has found.
   static void scale_depth(Sensor& sensor, double factor);
@@ -55,6 +59,11 @@ class RigFrames {
   [[nodiscard]] Result<TrueSensor> truth(const Sensor& sensor, std::uint64_t number);
 
  private:
+  RigFrames(int color_scale, bool fill_holes)
+      : color_scale_(color_scale), fill_holes_(fill_holes) {}
+
+  int color_scale_;
+  bool fill_holes_;
   io::ImageFileReader reader_;
   ColorImage color_;
   std::vector<Sensor> sensors_;
