@@ -10,14 +10,14 @@ layout(r32f, binding = 0) writeonly uniform image2D depth_out;
 const int kEnough = 2;
 const float kApart_m = 0.012;
 const float kApartPer_m = 0.022;
-const float kBack_m = 0.01, kMostBack_m = 0.04;  // per pixel
+const float kBack_m = 0.01, kMaxBack_m = 0.04;  // per pixel
 
 float apart(float z) { return kApart_m + kApartPer_m * z; }
 
 // How much farther than `near` its surface is one pixel on; `before`: one pixel back, 0 without a reading.
 float back(float near, float before) {
   float slope = before > 0.0 ? near - before : 0.0;
-  return slope < apart(near) ? clamp(slope + kBack_m, 0.0, kMostBack_m) : 0.0;
+  return slope < apart(near) ? clamp(slope + kBack_m, 0.0, kMaxBack_m) : 0.0;
 }
 
 void main() {
