@@ -3,10 +3,7 @@
 // roomcast/render/shaders/blend (fill_small, extend_edges, smooth, edge_distance, quality).
 import { depthNoise } from './memory_shader';
 
-/**
- * Fills a pixel without a reading with the mean of its neighbours where these are on one surface. At a rim each neighbour
- * is continued to it by its slope and somewhat farther back, because things curve away where they end.
- */
+/** Fills a pixel without a reading with the mean of its neighbours where these are on one surface. */
 export const repairShader = /* glsl */ `
 uniform sampler2D uDepth_m;  // every pixel
 uniform int uStep;
@@ -17,15 +14,12 @@ void main() {
   ivec2 last = textureSize(uDepth_m, 0) - 1;
   float z = texelFetch(uDepth_m, pixel, 0).r;
   if (z == 0.0) {
-    float sum = 0.0, back = 0.0, nearest = 1.0e9, farthest = 0.0, count = 0.0;
+    float sum = 0.0, nearest = 1.0e9, farthest = 0.0, count = 0.0;
     for (int y = -1; y <= 1; ++y) {
       for (int x = -1; x <= 1; ++x) {
         float near = texelFetch(uDepth_m, clamp(pixel + ivec2(x, y), ivec2(0), last), 0).r;
         if (near == 0.0) continue;
         sum += near;
-        float before = texelFetch(uDepth_m, clamp(pixel + 2 * ivec2(x, y), ivec2(0), last), 0).r;
-        float slope = before > 0.0 ? near - before : 0.0;
-        if (slope < 0.012 + 0.022 * near) back += clamp(slope + 0.01, 0.0, 0.04);
         nearest = min(nearest, near);
         farthest = max(farthest, near);
         count += 1.0;
@@ -34,7 +28,7 @@ void main() {
     float apart = farthest - nearest;
     bool inside = count >= 5.0 && apart < 0.03 + 0.02 * nearest;
     bool rim = count >= 2.0 && apart < 0.012 + 0.022 * nearest;
-    if (inside || rim) z = (inside ? sum : sum + back) / count;
+    if (inside || rim) z = sum / count;
   }
   repaired_m = vec4(z);
 }
