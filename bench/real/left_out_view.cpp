@@ -177,6 +177,7 @@ template Image<float> in_grid_of(const CameraIntrinsics&, const render::ViewCame
 Result<std::vector<LeftOutPicture>> draw_without(
     RigFrames& frames, std::size_t left_out, int count,
     const std::function<void(const std::string&)>& progress) {
+  if (auto status = frames.restart(); !status) return status.error();
   auto room = RoomWithout::create(frames, left_out);
   if (!room) return room.error();
   RigFrames::Sensor& sensor = frames.sensors()[left_out];

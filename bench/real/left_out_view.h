@@ -39,7 +39,7 @@ template <class T>
                                   const Image<T>& drawn);
 
 /// `count` frames of sensor number `left_out`, evenly spread. Needs a current GL context and at
-/// least one other sensor. Errors of the files and of the renderer.
+/// least one other sensor. Restarts `frames`. Errors of the files and of the renderer.
 [[nodiscard]] Result<std::vector<LeftOutPicture>> draw_without(
     RigFrames& frames, std::size_t left_out, int count,
     const std::function<void(const std::string&)>& progress);
