@@ -28,8 +28,8 @@ constexpr int kFits = 2;              // the second without readings far from th
 constexpr int kMinOfPiece = 5;        // readings in 3x3 pixels
 constexpr float kAlmostZero = 1e-3F;  // keeps the plane through readings in one line finite
 
-/// A plane misses its readings by less than this: a bound on depth noise. What gives few readings
-/// reflects little light, and is noisy.
+/// The largest distance of a reading from its plane: a bound on depth noise. Surfaces with few
+/// readings reflect little light, so their readings are noisy.
 float noise_mm(float depth_mm) {
   return 8 + depth_mm * depth_mm / 400'000;
 }
@@ -263,30 +263,24 @@ void SparseCompletion::fill_between_readings() {
   }
 }
 
-/// Whether the surface surrounds the hole, or the hole lies at its rim, and all else around it
-/// reads so well that the hole would have a reading if it showed that.
-bool SparseCompletion::belongs(const Hole& hole, const Surface& surface) {
-  std::size_t on_surface = 0, in_pieces = 0;
-  for (const Reading& near : hole.around) {
-    if (surface.has(near)) {
-      ++on_surface;
-    } else if (near.in_piece) {
-      ++in_pieces;
-    }
-  }
-  if (on_surface >= kMinQuadrants) return true;
-  return surface.is_scattered() && on_surface > 0 && on_surface + in_pieces == hole.around.size();
-}
-
+/// Fills holes that the surface surrounds. Also fills holes at its rim: there all other readings
+/// around the hole are in pieces, and what they show would have been read in the hole, too.
 void SparseCompletion::fill_holes(const Surface& surface) {
   std::erase_if(holes_, [&](const Hole& hole) {
-    if (!belongs(hole, surface)) return false;
+    std::size_t on_surface = 0, in_pieces = 0;
     int nearest_mm = kMaxDepth_mm, farthest_mm = 0;
     for (const Reading& near : hole.around) {
-      if (!surface.has(near)) continue;
+      if (!surface.has(near)) {
+        in_pieces += near.in_piece ? 1 : 0;
+        continue;
+      }
+      ++on_surface;
       nearest_mm = std::min<int>(nearest_mm, near.depth_mm);
       farthest_mm = std::max<int>(farthest_mm, near.depth_mm);
     }
+    const bool at_rim =
+        surface.is_scattered() && on_surface > 0 && on_surface + in_pieces == hole.around.size();
+    if (on_surface < kMinQuadrants && !at_rim) return false;
     const float depth_mm = surface.depth_mm(hole.x, hole.y);
     if (depth_mm < static_cast<float>(nearest_mm) - noise_mm(depth_mm) ||
         depth_mm > static_cast<float>(farthest_mm) + noise_mm(depth_mm))

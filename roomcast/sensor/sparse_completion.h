@@ -3,12 +3,12 @@
 // things only some pixels give a reading, others in every frame: a screen that somebody carries
 // comes as specks. A pixel without a reading gets the depth of a plane through the readings around
 // it, if the nearest ones in at least three of the four quadrants around it, up to 4 pixels away,
-// lie on that plane. One quadrant is enough where things that read well are seen in the others: at
-// the rim of the surface, where such a thing would have given a reading. So gaps through which
-// something else is read stay open, and gaps of more than 7 pixels; holes in one piece stay open
-// too, such as those beside the things that structured light sees, which come and go at their
-// borders. It looks at single frames, so that it also fills what moves. Single-threaded; allocates
-// only when it is made.
+// lie on that plane. At the rim of the surface one quadrant is enough, if the readings in the other
+// three stand close together: what they show would have been read in this pixel, too. So gaps
+// through which something else is read stay open, and gaps of more than 7 pixels; holes in one
+// piece stay open too, such as those beside the things that structured light sees, which come and
+// go at their borders. It looks at single frames, so that it also fills what moves.
+// Single-threaded; allocates only when it is made.
 #pragma once
 
 #include <array>
@@ -54,7 +54,6 @@ class SparseCompletion {
   class Surface;
 
   [[nodiscard]] Reading reading_at(DepthView depth_mm, int x, int y) const;
-  [[nodiscard]] static bool belongs(const Hole& hole, const Surface& surface);
   void count_readings(DepthView depth_mm);
   void find_pieces(DepthView depth_mm);
   [[nodiscard]] bool is_sparse(int left, int top) const;

@@ -70,13 +70,17 @@ TEST(SparseCompletion, fills_a_screen_that_comes_as_specks) {
   EXPECT_LT(sum_mm / count, 4);  // less than the readings' own noise
 }
 
+bool has_depth_of_screen(const DepthImage& depth_mm, int x, int y) {
+  return std::abs(static_cast<float>(depth_mm.at(x, y)) - screen_mm(x)) < 30;
+}
+
 /// Of the pixels of the screen at most two from its border, the share with its depth.
 double filled_rim(const DepthImage& depth_mm) {
   double filled = 0, all = 0;
   for (int y = kTop; y < kBottom; ++y) {
     for (int x = kLeft; x < kRight; ++x) {
       if (is_screen(x, y, 2)) continue;
-      filled += std::abs(static_cast<float>(depth_mm.at(x, y)) - screen_mm(x)) < 30 ? 1 : 0;
+      filled += has_depth_of_screen(depth_mm, x, y) ? 1 : 0;
       ++all;
     }
   }
@@ -91,7 +95,7 @@ TEST(SparseCompletion, fills_a_screen_up_to_its_rim_if_what_is_behind_reads_well
   EXPECT_GT(filled_rim(depth_mm), 0.9);
 }
 
-/// Where the rim is, is not known then.
+/// Without readings behind the screen, nothing tells where its rim is.
 TEST(SparseCompletion, fills_nothing_beyond_a_screen_before_what_gives_no_readings) {
   DepthImage depth_mm = sparse_screen_mm(0.25);
   for (int y = 0; y < kDown; ++y) {
@@ -122,7 +126,7 @@ TEST(SparseCompletion, fills_a_screen_behind_a_bar_up_to_the_bar_and_not_the_bar
   for (int y = kTop + 4; y < kBottom - 4; ++y) {
     for (const int x : {kBarLeft - 1, kBarRight}) {
       ASSERT_NE(depth_mm.at(x, y), kBar_mm) << x << ", " << y;
-      filled += std::abs(static_cast<float>(depth_mm.at(x, y)) - screen_mm(x)) < 30 ? 1 : 0;
+      filled += has_depth_of_screen(depth_mm, x, y) ? 1 : 0;
       ++all;
     }
   }
